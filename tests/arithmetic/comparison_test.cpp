@@ -34,6 +34,11 @@ TEST(Comparison, OfTwoBalls) {
     if (random.one_in(3)) y = random.inside(x);
     if (random.one_in(6)) y = x.middle().is_undefined() ? y : x.middle();
     if (random.one_in(6)) y = x.enlarged(scale(x.radius(), -random.between(0, 20)));
+    if (random.one_in(6) && x.is_bounded()) {  // beside x, or just across its end
+      const rational radius = upper_rational(ball(0, 64).enlarged(x.radius()));
+      y = ball(rational(lower_rational(x.middle()) + radius * random.between(3, 7) / 4), 256)
+              .enlarged(scale(x.radius(), -3));
+    }
     SCOPED_TRACE(described(x) + ", " + described(y));
     const exact_set sx = exact(x);
     const exact_set sy = exact(y);
@@ -61,6 +66,9 @@ TEST(Comparison, OfTwoBalls) {
       EXPECT_EQ(certainly_less(x, y), below);
       EXPECT_EQ(certainly_less_equal(x, y), nowhere_above(sx, sy));
       EXPECT_EQ(possibly_less(x, y), below);
+      EXPECT_EQ(overlaps(x, y), !below && !above);
+    }
+    if (short_ends(x) && short_ends(y)) {
       EXPECT_EQ(overlaps(x, y), !below && !above);
     }
     if (short_ends(y)) {

@@ -31,6 +31,18 @@ class ends_pair {
 };
 }  // namespace
 
+magnitude detail::distance_of_midpoints(const ball& x, const ball& y) {
+  if (!both_by_midpoint(x, y)) return magnitude::infinity();
+  mpfr_cell distance(64);
+  mpfr_sub(distance.get(), ball_access::first(x), ball_access::first(y), MPFR_RNDA);
+  return magnitude::abs_up(distance.get());
+}
+
+bool detail::contains_by_midpoints(const ball& x, const ball& y) {
+  const magnitude away = distance_of_midpoints(x, y);
+  return !away.is_infinite() && add_up(away, ball_access::radius(y)) <= ball_access::radius(x);
+}
+
 bool certainly_less(const ball& x, const ball& y) {
   if (x.is_undefined() || y.is_undefined()) return false;
   const ends_pair e(x, y);
@@ -50,11 +62,17 @@ bool certainly_less(const ball& x, long y) { return certainly_less(x, ball(y, 64
 bool certainly_greater(const ball& x, long y) { return certainly_less(ball(y, 64), x); }
 
 bool overlaps(const ball& x, const ball& y) {
+  // A midpoint lies in the other ball.
+  const magnitude distance = detail::distance_of_midpoints(x, y);
+  if (!distance.is_infinite() && distance <= max(ball_access::radius(x), ball_access::radius(y))) {
+    return true;
+  }
   return !certainly_less(x, y) && !certainly_less(y, x);
 }
 
 bool contains(const ball& x, const ball& y) {
   if (x.is_undefined() || y.is_undefined()) return false;
+  if (detail::contains_by_midpoints(x, y)) return true;
   // Inner bounds of x against outer bounds of y.
   const precision p = common_precision(x, y) + 64;
   const end_points ey(y, p);

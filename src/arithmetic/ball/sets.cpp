@@ -26,7 +26,10 @@ ball hull(const ball& x, const ball& y) {
 
 ball intersection(const ball& x, const ball& y) {
   const precision p = common_precision(x, y);
-  if (x.is_undefined() || y.is_undefined() || !overlaps(x, y)) return ball::undefined(p);
+  if (x.is_undefined() || y.is_undefined()) return ball::undefined(p);
+  if (x.precision() == p && detail::contains_by_midpoints(y, x)) return x;
+  if (y.precision() == p && detail::contains_by_midpoints(x, y)) return y;
+  if (!overlaps(x, y)) return ball::undefined(p);
   const end_points ex(x, p);
   const end_points ey(y, p);
   mpfr_cell lower(p);
