@@ -284,4 +284,19 @@ ball value_at(const graph& g, node_id i, precision p) {
   return values_of_constants(compile(alone, 0), p).back();  // the root's
 }
 
+ball value_far_out(graph& g, node_id i) {
+  const node_id far = g.number(rational(1L << 20));
+  std::vector<node_id> at(i + 1);
+  for (node_id k = 0; k <= i; ++k) {
+    if (g[k].what == operation::variable) {
+      at[k] = far;
+    } else if (operands_at(g, k).empty()) {
+      at[k] = k;
+    } else {
+      at[k] = with_operands(g, g, k, [&](node_id of) { return at[of]; });
+    }
+  }
+  return value_at(g, at[i], 64);
+}
+
 }  // namespace polhode::detail

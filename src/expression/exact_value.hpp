@@ -20,5 +20,7 @@ namespace polhode::detail {
 /// The same for a node without variables, and its value with p bits.
 [[nodiscard]] std::optional<rational> rational_value_at(const graph& g, node_id i);
 [[nodiscard]] ball value_at(const graph& g, node_id i, precision p);
+/// The value at x = 2^20 of a node of a formula of one variable, to see where it tends to.
+[[nodiscard]] ball value_far_out(graph& g, node_id i);
 
 }  // namespace polhode::detail

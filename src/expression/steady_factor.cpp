@@ -44,18 +44,7 @@ class splitting {
   }
   /// 1 or -1, as u seems to tend to infinity or minus infinity.
   [[nodiscard]] int direction(node_id u) {
-    const node_id far = g_.number(rational(1L << 20));
-    std::vector<node_id> at(size_);
-    for (node_id i = 0; i < size_; ++i) {
-      if (g_[i].what == operation::variable) {
-        at[i] = far;
-      } else if (!varies(i)) {
-        at[i] = i;
-      } else if (i <= u) {
-        at[i] = detail::with_operands(g_, g_, i, [&](node_id k) { return at[k]; });
-      }
-    }
-    const ball value = detail::value_at(g_, at[u], 64);
+    const ball value = detail::value_far_out(g_, u);
     return certainly_positive(value) ? 1 : certainly_negative(value) ? -1 : 0;
   }
 

@@ -278,6 +278,26 @@ TEST(Region, KeepsTheSignOfWhatUnderflows) {
   EXPECT_TRUE((real(1, 2) - 1).is_in_hardware());
 }
 
+// A rectangle that reaches across the real axis by the least numbers there are has a reciprocal: the
+// square of one side over the other is beyond all numbers.
+TEST(Region, DividesByWhatReachesAcrossTheAxis) {
+  const auto expect_near = [](const region& z, double lower, double upper) {
+    ASSERT_TRUE(z.is_analytic());
+    const complex_ball w = z.to_complex_ball();
+    EXPECT_TRUE(certainly_positive(w.re));
+    EXPECT_LE(upper_rational(w.re), rational(upper));
+    EXPECT_GE(lower_rational(w.im), rational(lower));
+  };
+  const double_interval across(-5e-324, 1e5);
+  const region hardware(double_interval(1e5, 2e5), across);
+  expect_near(1 / hardware, -1e-5, 2e-5);
+  const ball tiny = exp(ball(-744'000'000, 64));
+  const ball big = parse_ball("1e34", 64);
+  const region beyond = region::in_balls({hull(big, 10 * big), hull(-tiny, 9 * big)});
+  expect_near(1 / beyond, -1e-34, 2e-34);
+  EXPECT_TRUE((big / beyond).is_analytic());
+}
+
 TEST(Region, TakesBallsOfAnySize) {
   const region z(parse_ball("1e-400", 100));
   EXPECT_FALSE(z.is_in_hardware());

@@ -941,6 +941,54 @@ integral_case complete_elliptic(maker& m) {
   return result;
 }
 
+/// Exponentials that grow in divisors, beside powers, whose sums are no sums of integrals that
+/// converge, or no sums at all. By closed forms, or as derivatives; a divergent twin in one case of
+/// five.
+integral_case exponentials_beside_powers(maker& m) {
+  const term k = m.rational_near(m.within(0.3, 3));
+  const term t = k * x;
+  integral_case c{0, 0, "inf", few_digits(m)};
+  switch (m.between(0, 6)) {
+    case 0:
+      c.integrand = (1 / x - k / call("sinh", t)) / x;
+      c.value = k * call("log", 2);
+      break;
+    case 1:
+      c.integrand = 1 / power(x, 2) - power(k, 2) / power(call("sinh", t), 2);
+      c.value = k;
+      break;
+    case 2:
+      c.integrand = power(k / call("sinh", t) - 1 / x, 2);
+      c.value = k * (2 * call("log", 2) - 1);
+      break;
+    case 3: {  // -(1/g)' = g'/g^2, g = p + cosh or exp
+      const term g = m.positive_rational() * x + (m.one_in(2) ? call("cosh", t) : call("exp", t));
+      c.integrand = derivative(-(1 / g));
+      c.from = m.positive_rational();
+      c.value = 1 / substituted(g, "x", c.from);
+      break;
+    }
+    case 4: {  // the derivative of -1/(x + h), h = 1/sinh, x + h > 0
+      const term g = x + m.positive_rational() / call("sinh", t);
+      c.integrand = derivative(-(1 / g));
+      c.from = m.positive_rational();
+      c.value = 1 / substituted(g, "x", c.from);
+      break;
+    }
+    case 5: {  // no closed form: by its routes
+      const term g = m.one_in(2) ? call("exp", t) - m.quotient(0.5) : call("cosh", t);
+      c.integrand = power(1 / x - m.coefficient() / g, m.between(2, 3));
+      c.from = m.positive_rational();
+      break;
+    }
+    default:
+      c.integrand = (1 + 1 / call("sinh", t)) / x;
+      c.from = m.positive_rational();
+      c.diverges = true;
+  }
+  return c;
+}
+
 }  // namespace
 
 std::vector<integral_family> end_families() {
@@ -967,6 +1015,7 @@ std::vector<integral_family> end_families() {
           {"divergent without a series", 5, mostly_cheap(divergent_growth)},
           {"special functions at ends", 8, mostly_cheap(special_end)},
           {"complete elliptic integrals", 5, complete_elliptic},
+          {"exponentials beside powers", 6, exponentials_beside_powers},
           {"whole line", 7, mostly_cheap(whole_line)},
           {"extreme sizes", 7, mostly_cheap(extreme_sizes)},
           {"many orders of magnitude", 6, mostly_cheap(many_orders)}};

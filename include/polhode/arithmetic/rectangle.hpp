@@ -263,8 +263,12 @@ template <class R>
     if (d::is_narrow(z)) return real_set<R>::quotient(real_set<R>::unit(z.re), z);
   }
   const auto g = [](const R& x, const R& y) {
-    // x / (x^2 + y^2) as a sum of one kind of quotient at the smaller risk of overflow.
-    return contains_zero(x) ? x / (square(x) + square(y)) : d::integer(1, x) / (x + square(y) / x);
+    // Of ends x, y >= 0: by the quotient of the smaller by the greater, which does not overflow.
+    if (contains_zero(x) || certainly_less(x, y)) {
+      const R q = x / y;
+      return q / (x * q + y);
+    }
+    return d::integer(1, x) / (x + y * (y / x));
   };
   const auto place = [](const R& y) { return y; };
   const auto peak = [](const R& y) { return d::integer(1, y) / scale(y, 1); };

@@ -317,6 +317,10 @@ class expression {
   /// it is defined. None for others, and long ones.
   struct steady_factor;
   [[nodiscard]] std::optional<steady_factor> by_steady_factor() const;
+  /// The same function wherever both are defined, with divisors that seem to grow exponentially for
+  /// x -> inf written by exponentials that decay: "1/sinh(x)" is "2*exp(-x)/(1 - exp(-2*x))". None
+  /// where there are no such divisors, and of long formulas.
+  [[nodiscard]] std::optional<expression> with_decaying_exponentials() const;
   /// The polynomial with rational coefficients that a formula of at most one variable is, by sums,
   /// products, whole powers and quotients by numbers. None where it is not, or its expansion is
   /// long: a degree above 10,000, a million products of coefficients.

@@ -17,8 +17,8 @@ namespace polhode::detail {
   return ball_access::is_midpoint_radius(x) && ball_access::is_midpoint_radius(y);
 }
 
-/// |m - n| of two midpoints, rounded up to 64 bits, which is cheaper than ends of all bits and often
-/// decides. Infinite where one of the balls has no midpoint.
+/// |m - n| of two midpoints, rounded up to 64 bits, which is cheaper than ends of all bits and
+/// often decides. Infinite where one of the balls has no midpoint.
 [[nodiscard]] magnitude distance_of_midpoints(const ball& x, const ball& y);
 /// Whether x contains y, where that distance shows it.
 [[nodiscard]] bool contains_by_midpoints(const ball& x, const ball& y);

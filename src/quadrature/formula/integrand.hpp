@@ -86,7 +86,8 @@ struct integrand {
   /// steps at one pace. None where there are none of these, or they are not known; may be empty.
   std::function<std::vector<part>(const end_point& a, const end_point& b)> pieces;
   /// The same over an infinite range: beyond some point of limits and of what decays beside them,
-  /// for an integrand with a tail that is not understood as it stands. May be empty.
+  /// or of the same function by exponentials that decay, for an integrand with a tail that is not
+  /// understood as it stands. May be empty.
   std::function<std::vector<part>(const end_point& a, const end_point& b)> with_limits;
   /// Numbers at which it may be of interest to cut the range: candidates. May be empty.
   std::function<std::vector<end_point>(const end_point& a, const end_point& b)> candidates;

@@ -113,16 +113,22 @@ std::vector<part> parts_in_tangent(const expression& f, const end_point& a, cons
 
 namespace {
 
-/// From a point to infinity on this side; false where f has no such factor there.
+/// From a point to infinity on this side; false where f is no such function there.
 bool add_beyond(std::vector<part>& parts, const expression& f, const end_point& from, int side) {
   const symbol x = symbol::variable(0);
-  const auto apart = (side > 0 ? f : expression(f(-x), f.names())).by_steady_factor();
+  const expression to_the_right = side > 0 ? f : expression(f(-x), f.names());
+  std::vector<expression> beyond;
+  if (const auto apart = to_the_right.by_steady_factor()) {
+    beyond = {apart->limit, apart->rest};
+  } else if (const auto same = to_the_right.with_decaying_exponentials()) {
+    beyond = {*same};
+  }
   const ball distance = side > 0 ? from.at(64) : -from.at(64);
-  if (!apart || !distance.is_bounded()) return false;
+  if (beyond.empty() || !distance.is_bounded()) return false;
   const rational c = floor_of(std::max<rational>(upper_rational(distance), 0)) + 1;
   const end_point cut(rational(side * c));
   parts.push_back(side > 0 ? part{integrand_of(f), from, cut} : part{integrand_of(f), cut, from});
-  for (const expression& one : {apart->limit, apart->rest}) {
+  for (const expression& one : beyond) {
     parts.push_back({integrand_of(one), end_point(c), end_point::infinity()});
   }
   return true;
