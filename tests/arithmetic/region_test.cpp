@@ -278,8 +278,8 @@ TEST(Region, KeepsTheSignOfWhatUnderflows) {
   EXPECT_TRUE((real(1, 2) - 1).is_in_hardware());
 }
 
-// A rectangle that reaches across the real axis by the least numbers there are has a reciprocal: the
-// square of one side over the other is beyond all numbers.
+// A rectangle that reaches across the real axis by the least numbers there are has a reciprocal:
+// the square of one side over the other is beyond all numbers.
 TEST(Region, DividesByWhatReachesAcrossTheAxis) {
   const auto expect_near = [](const region& z, double lower, double upper) {
     ASSERT_TRUE(z.is_analytic());

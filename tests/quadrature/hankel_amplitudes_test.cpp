@@ -1,6 +1,6 @@
 // Bessel functions as oscillations: their amplitudes, and the integrals that rest on them.
 
-#include "expression/arb/hankel_amplitudes.hpp"
+#include "polhode/expression/hankel_amplitudes.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "hankel_amplitudes.hpp"
+#include "polhode/expression/hankel_amplitudes.hpp"
 
 #include <algorithm>
 #include <stdexcept>

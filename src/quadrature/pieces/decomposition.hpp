@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "expression/arb/hankel_amplitudes.hpp"
+#include "polhode/expression/hankel_amplitudes.hpp"
 #include "quadrature/formula/arithmetics.hpp"
 #include "quadrature/formula/integrand.hpp"
 #include "quadrature/pieces/waves.hpp"
