@@ -402,7 +402,16 @@ integral_case bessel_to_infinity(maker& m) {
     return call(name, order, at);
   };
   integral_case c{0, 0, "inf", few_digits(m)};
-  switch (m.between(0, 9)) {
+  switch (m.between(0, 10)) {
+    case 10: {  // the derivative of Ai(-k x)/x, with the sign minus; or of Bi
+      const char* name = m.one_in(2) ? "airyAi" : "airyBi";
+      const char* prime = name[4] == 'A' ? "airyAiPrime" : "airyBiPrime";
+      const term t = -(k * x);
+      c.integrand = k * call(prime, t) / x + call(name, t) / power(x, 2);
+      c.from = z;
+      c.value = call(name, -(k * z)) / z;
+      break;
+    }
     case 0:  // 13.51
       c.integrand = of("besselJ", 0, k * x) * x / square;
       c.value = of("besselK", 0, k * z);

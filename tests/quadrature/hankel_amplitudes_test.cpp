@@ -151,6 +151,13 @@ TEST_F(HankelAmplitudes, GiveTheTailsOfIntegrals) {
       {"besselJ(0, x^2)", "0", "inf", "gamma(1/4)/(2^(3/2)*gamma(3/4))"},
       {"besselJ(0, sqrt(x))/(1+x)", "0", "inf", "2*besselK(0, 1)"},
       {"besselJ(1, 1/x)/x", "0", "inf", "1"},
+      // Airy functions, by orders of thirds: derivatives of Ai(-x)/x and the like.
+      {"airyAi(x)", "-inf", "0", "2/3"},
+      {"airyAi(-2*x)", "0", "inf", "1/3"},
+      {"airyAiPrime(-x)", "0", "inf", "airyAi(0)"},
+      {"airyAiPrime(-x)/x + airyAi(-x)/x^2", "1", "inf", "airyAi(-1)"},
+      {"airyBiPrime(-x)/x + airyBi(-x)/x^2", "1", "inf", "airyBi(-1)"},
+      {"airyAi(-x^2)*x", "0", "inf", "1/3"},
   });
 }
 
@@ -166,7 +173,8 @@ TEST_F(HankelAmplitudes, DoNotMakeADivergentIntegralConverge) {
   for (const char* f :
        {"x*besselJ(0, x)", "sqrt(x)*besselJ(0, x)", "besselJ(0, x)^2", "besselJ(0, x)*cos(x)",
         "besselY(0, x)*sin(x)", "besselJ(0, x)*besselJ(2, x)", "besselJ(0, x)^2*cos(2*x)",
-        "besselJ(1, x)*exp(x/1000)", "besselJ(0, x)*besselJ(0, 2*x)*cos(3*x)"}) {
+        "besselJ(1, x)*exp(x/1000)", "airyAi(-x)^2", "x*airyAiPrime(-x)", "airyBi(x)*cos(x)",
+        "besselJ(0, x)*besselJ(0, 2*x)*cos(3*x)"}) {
     EXPECT_NE(support::integral_of(f, "1", "inf").verdict, status::certified) << f;
   }
 }

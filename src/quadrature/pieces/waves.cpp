@@ -354,26 +354,30 @@ class separation {
     if (node.is_piecewise()) return std::nullopt;
     return of_function(node, *waves[node.left], *waves[node.right]);
   }
-  /// Bessel's J and Y of a rational order and w y + c; not where w < 0 or c < 0 is known.
+  /// Bessel's J and Y of a rational order, and Airy functions towards minus infinity.
   [[nodiscard]] std::optional<wave> of_call(const formula_graph::call& call,
                                             const std::vector<std::optional<wave>>& waves) {
     // A function of this name in another list may be anything.
-    const auto is_own = [&](const char* name) {
-      const further_functions& own = *library_functions();
-      return call.function->what.name == name &&
-             std::ranges::any_of(own, [&](const auto& f) { return &f == call.function; });
-    };
-    const bool first_kind = is_own("besselJ");
-    if (!first_kind && !is_own("besselY")) return std::nullopt;
-    const std::optional<rational>& order = f_->node(call.operands[0]).exact;
-    wave x = *waves[call.operands[1]];
-    if (!order || !x.is_steady() || !x.powers || x.powers->empty()) return std::nullopt;
+    const further_functions& own = *library_functions();
+    const bool is_own =
+        std::ranges::any_of(own, [&](const auto& f) { return &f == call.function; });
+    const wave& x = *waves[call.operands.back()];
+    if (!is_own || !x.is_steady() || !x.powers || x.powers->empty()) return std::nullopt;
+    const std::string& name = call.function->what.name;
+    if (name == "besselJ" || name == "besselY") {
+      const std::optional<rational>& order = f_->node(call.operands[0]).exact;
+      return order ? bessel(*order, x, name == "besselJ") : std::nullopt;
+    }
+    return airy(name, x);
+  }
+  /// J or Y of w y + c; not where w < 0 or c < 0 is known.
+  [[nodiscard]] std::optional<wave> bessel(const rational& order, wave x, bool first_kind) {
     // J(-x) = (-1)^order J(x) for a whole order.
     const coefficient& greatest = x.powers->rbegin()->second;
     const bool is_mirrored =
-        first_kind && !greatest.factor && greatest.q < 0 && denominator(*order) == 1;
+        first_kind && !greatest.factor && greatest.q < 0 && denominator(order) == 1;
     if (is_mirrored) x = negated(x);
-    const bool changes_sign = is_mirrored && numerator(*order) % 2 != 0;
+    const bool changes_sign = is_mirrored && numerator(order) % 2 != 0;
     const auto& [e, slope] = *x.powers->rbegin();
     if (e > 0 && e != 1) growth_ = e;
     if (e != 1 || !may_be_positive(slope)) return std::nullopt;
@@ -386,7 +390,7 @@ class separation {
     }
     const std::size_t variable = first_number + numbers_.size();
     numbers_.insert(numbers_.end(), 2, nullptr);
-    amplitudes_.push_back({variable, *order, value(slope), value(shift)});
+    amplitudes_.push_back({variable, order, value(slope), value(shift)});
     const wave p = steady(symbol::variable(variable));
     const wave q = steady(symbol::variable(variable + 1));
     const std::optional<wave> sine = circular(x, true);
@@ -396,6 +400,36 @@ class separation {
     const std::optional<wave> with_q = times(q, first_kind ? *sine : negated(*cosine));
     std::optional<wave> result = with_p && with_q ? sum(*with_p, *with_q) : std::nullopt;
     return result && changes_sign ? negated(*result) : result;
+  }
+  /// With t = (2/3) z^(3/2), z > 0 (DLMF 9.6.6 to 9.6.9):
+  ///   Ai(-z) = sqrt(z)/3 (J_(1/3) + J_(-1/3))(t),    Bi(-z) = sqrt(z/3) (J_(-1/3) - J_(1/3))(t),
+  ///   Ai'(-z) = z/3 (J_(2/3) - J_(-2/3))(t),         Bi'(-z) = z/sqrt(3) (J_(-2/3) + J_(2/3))(t).
+  /// Of z = w y^e, w > 0 rational.
+  [[nodiscard]] std::optional<wave> airy(const std::string& name, const wave& x) {
+    const bool is_prime = name.ends_with("Prime");
+    const bool is_first = name.starts_with("airyAi");
+    if (!is_first && !name.starts_with("airyBi")) return std::nullopt;
+    const coefficient& w = x.powers->rbegin()->second;
+    if (x.powers->size() != 1 || x.powers->rbegin()->first <= 0 || w.factor || w.q >= 0) {
+      return std::nullopt;
+    }
+    const wave z = negated(x);
+    std::optional<power_sum> t = power_of_powers(z, rational(3, 2));
+    if (!t) return std::nullopt;
+    for (auto& [e, c] : *t) c.q *= rational(2, 3);
+    const wave phase = steady(value(*t), t);
+    const rational order(is_prime ? 2 : 1, 3);
+    const std::optional<wave> plus = bessel(order, phase, true);
+    const std::optional<wave> minus = bessel(-order, phase, true);
+    if (!plus || !minus) return std::nullopt;
+    const bool is_difference = is_prime == is_first;
+    const std::optional<wave> both = is_first ? sum(*plus, is_difference ? negated(*minus) : *minus)
+                                              : sum(*minus, is_difference ? negated(*plus) : *plus);
+    const symbol size = value(*z.powers);
+    const symbol root = sqrt(symbol(3));
+    const symbol factor = is_prime ? size / (is_first ? symbol(3) : root)
+                                   : sqrt(size) / (is_first ? symbol(3) : root);
+    return both ? times(*both, steady(factor)) : std::nullopt;
   }
   /// Of other numbers the decomposition asks.
   [[nodiscard]] static bool may_be_positive(const coefficient& c) { return c.factor || c.q > 0; }
