@@ -158,6 +158,8 @@ TEST_F(HankelAmplitudes, GiveTheTailsOfIntegrals) {
       {"airyAiPrime(-x)/x + airyAi(-x)/x^2", "1", "inf", "airyAi(-1)"},
       {"airyBiPrime(-x)/x + airyBi(-x)/x^2", "1", "inf", "airyBi(-1)"},
       {"airyAi(-x^2)*x", "0", "inf", "1/3"},
+      {"exp(x)*airyAi(x)+exp(x)*airyAiPrime(x)", "-inf", "2", "exp(2)*airyAi(2)"},
+      {"exp(x)*airyBi(x)+exp(x)*airyBiPrime(x)", "-inf", "-1", "exp(-1)*airyBi(-1)"},
   });
 }
 

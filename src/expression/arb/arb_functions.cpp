@@ -364,6 +364,12 @@ std::vector<definition> bessel_functions() {
 // integral of e^(-sqrt(x) t^2), which is sqrt(pi) x^(-1/4); and |Ai'(x)|, with s for a factor and
 // |s| <= sqrt(x) + t^2/(2 sqrt(x)), at most x^(1/4) e^(-(2/3) x^(3/2))/(2 sqrt(pi)) times 1 +
 // x^(-3/2)/4.
+//
+// For x = -z < 0 they are sums of two Bessel functions J of t = (2/3) z^(3/2), of orders 1/3 and
+// -1/3, and of 2/3 and -2/3 for the derivatives (DLMF 9.6.6 to 9.6.9). By DLMF 10.27.8 and 10.32.8
+// at w = -i t, where |1 + s/(2 w)| >= 1 for s > 0, |J| <= |H1(t)| = (2/pi) |K(w)| is at most
+// sqrt(2/(pi t)) for orders up to 1/2, and for 2/3, with |1 + s/(2 w)|^(1/6) <= 1 + s/(2 t), at
+// most that times 1 + 7/(12 t) = 1 + (7/8) z^(-3/2), with z^(-3/2) <= 1/z + 1/z^2.
 
 void value_of_ai(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) {
   arb().acb_hypgeom_airy(r, nullptr, nullptr, nullptr, z, p);
@@ -387,9 +393,9 @@ std::vector<definition> airy_functions() {
            "airyAiPrime(x)",
            nullptr,
            nullptr,
-           [](const ball*, int sign) -> majorant {
-             if (sign < 0) return std::nullopt;
-             return steady("exp(-2/3*x^(3/2))/(2*sqrt(pi)*x^(1/4))");
+           [](const ball*, int sign) {
+             return sign < 0 ? oscillating("2/(sqrt(3*pi)*(-x)^(1/4))")
+                             : steady("exp(-2/3*x^(3/2))/(2*sqrt(pi)*x^(1/4))");
            }},
           {{"airyAiPrime", "x", "derivative of airyAi", "all x"},
            false,
@@ -399,22 +405,33 @@ std::vector<definition> airy_functions() {
            "x*airyAi(x)",
            nullptr,
            nullptr,
-           [](const ball*, int sign) -> majorant {
-             if (sign < 0) return std::nullopt;
-             return steady("x^(1/4)*exp(-2/3*x^(3/2))/(2*sqrt(pi))*(1+x^(-3/2)/4)");
+           [](const ball*, int sign) {
+             return sign < 0 ? oscillating("2*(-x)^(1/4)/sqrt(3*pi)*(1+7/8*(1/x^2-1/x))")
+                             : steady("x^(1/4)*exp(-2/3*x^(3/2))/(2*sqrt(pi))*(1+x^(-3/2)/4)");
            }},
           {{"airyBi", "x", "Airy, the one that grows", "all x"},
            false,
            value_of_bi,
            nothing,
            nullptr,
-           "airyBiPrime(x)"},
+           "airyBiPrime(x)",
+           nullptr,
+           nullptr,
+           [](const ball*, int sign) {
+             return sign < 0 ? oscillating("2/(sqrt(pi)*(-x)^(1/4))") : std::nullopt;
+           }},
           {{"airyBiPrime", "x", "derivative of airyBi", "all x"},
            false,
            value_of_bi_prime,
            nothing,
            nullptr,
-           "x*airyBi(x)"}};
+           "x*airyBi(x)",
+           nullptr,
+           nullptr,
+           [](const ball*, int sign) {
+             return sign < 0 ? oscillating("2*(-x)^(1/4)/sqrt(pi)*(1+7/8*(1/x^2-1/x))")
+                             : std::nullopt;
+           }}};
 }
 
 // ---------------------------------------------------------------------------------------------
