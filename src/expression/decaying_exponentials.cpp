@@ -4,7 +4,9 @@
 //
 // The reciprocal of what grows is followed through the formula: with v = 1/u,
 //
-//   1/(u w) = v/w,   1/u^n = v^n,   1/(u + w) = v/(1 + w v).
+//   1/(u w) = v/w,   1/(u/w) = v/(1/w),   1/u^n = v^n,   1/(u + w) = v/(1 + w v):
+//
+// these have values only where the left sides have.
 
 #include <cstdlib>
 #include <optional>
@@ -87,7 +89,8 @@ class rewriting {
         if (y) {
           value = with_change(multiply(g_, values_[n.left], *y));
         } else if (x) {
-          inverses_[i] = multiply(g_, *x, values_[n.right]);
+          // Not v w, which has a value where w = 0 and u/w has none.
+          inverses_[i] = divide(g_, *x, plain_inverse(n.right));
         }
         break;
       case operation::power_integer: {

@@ -45,5 +45,14 @@ TEST(DecayingExponentials, AreForDivisorsThatGrow) {
   }
 }
 
+TEST(DecayingExponentials, HaveNoValueWhereADivisorOfADivisorIsZero) {
+  for (const char* text : {"1/(exp(x)/max(5 - x, 0))", "1/(cosh(x)/floor(5/x) + x)"}) {
+    const auto g = parse(text).with_decaying_exponentials();
+    ASSERT_TRUE(g) << text;
+    EXPECT_TRUE((*g)(ball(4, 128)).is_bounded()) << text;
+    EXPECT_FALSE((*g)(ball(8, 128)).is_bounded()) << text;
+  }
+}
+
 }  // namespace decaying_exponentials_test
 }  // namespace polhode
