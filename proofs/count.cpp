@@ -28,8 +28,8 @@ root_bracket around_roots(const rational& least, const rational& greatest) {
 /// The number, or where it is irrational the whole n with 64 bits and n/2^k < x < (n + 1)/2^k.
 rational_range around(const exact_real& x) {
   if (x.is_rational()) return {x.exact(), x.exact()};
-  constexpr unsigned bits = 64;
-  const integer least = integer(1) << (bits - 1);
+  constexpr precision bits = 64;
+  const integer least = integer(1) << 63U;
   rational unit = 1;
   while (x < rational(least * unit)) unit /= 2;
   integer n = floor_of(rational(lower_rational(x.at(2 * bits)) / unit));
