@@ -1,6 +1,7 @@
 #include "polhode/expression/expression.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "exact_value.hpp"
@@ -148,6 +149,12 @@ std::optional<expression_function> expression::undefined_function(precision p) c
   }
   const detail::function_row* row = detail::find_function(detail::name_of(i->what));
   return row == nullptr ? std::nullopt : std::optional(row->what);
+}
+
+bool expression::has_defined_constants() const {
+  constexpr std::array<precision, 3> attempts{64, 1024, 8192};
+  return std::ranges::any_of(attempts,
+                             [&](precision p) { return !detail::first_undefined(*program_, p); });
 }
 
 std::vector<std::string> expression::used_variables() const {

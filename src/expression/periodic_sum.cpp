@@ -1,15 +1,19 @@
-// A formula as a sum of products of a periodic function, a power of x and a rational function.
+// A formula as a sum of products of a periodic function, a power of x, a rational function, and
+// powers of polynomials in x whose coefficients are periodic.
 //
 // Each step is an identity of real numbers wherever the operation of f is defined:
 //   p q + r s is the sum of both products,  (p q)(r s) = (p r)(q s),  (p q)/(r s) = (p/r)(q/s),
 //   (p q)^n = p^n q^n for a whole n,  |p q| = |p| |q|,
 //   floor(w) = w - (w - floor(w)),  ceil(w) = w + (ceil(w) - w).
+// A sum w of such products without such powers is x^l (c_0 + c_1 x + ...) with periodic c_i; its
+// power w^a is x^(l a) (c_0 + c_1 x + ...)^a for x > 0, where w > 0, or a is a whole number.
 // Periodic are: sin, cos and tan of a x + b, with 2 pi/|a|; sin(pi (a x + b)) and its cosine, with
 // 2/|a|; the fractional parts of a x + b, with 1/|a|; and every function of periodic ones.
 
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -30,9 +34,13 @@ constexpr std::size_t most_nodes = 300;  // of the formula
 constexpr std::size_t most_terms = 32;
 constexpr long most_power = 8;  // of a sum
 
+/// The exponents of powers of sums, by the sums' nodes. Some may be 0: the power is defined only
+/// where the sum is not 0.
+using powers_of_sums = std::map<node_id, rational>;
 struct product {
   node_id periodic;
   node_id steady;
+  powers_of_sums powers = {};
 };
 using sum = std::vector<product>;
 
@@ -53,6 +61,8 @@ class splitting {
   }
 
   std::optional<sum> terms() { return split(g_.root); }
+  /// The sum of which a product has a power.
+  [[nodiscard]] const sum& base(node_id i) const { return bases_.at(i); }
   [[nodiscard]] const pi_combination& period() const { return *period_; }
   detail::graph& graph() { return g_; }
 
@@ -136,18 +146,21 @@ class splitting {
       }
       case operation::multiply:
         return multiplied(split(n.left), split(n.right));
-      case operation::divide: {
-        auto y = split(n.right);
-        if (!y || y->size() != 1) return std::nullopt;
-        const product inverse{divide(g_, one_, y->front().periodic),
-                              divide(g_, one_, y->front().steady)};
-        return multiplied(split(n.left), sum{inverse});
-      }
+      case operation::divide:
+        return multiplied(split(n.left), power(n.right, -1));
       case operation::power_integer:
-        return power(split(n.left), n.number);
+        return power(n.left, n.number);
+      case operation::sqrt:
+      case operation::root:
+      case operation::power: {
+        const auto e = detail::fractional_exponent_at(g_, i);
+        auto x = e ? split(n.left) : std::nullopt;
+        if (!x || x->size() == 1) return std::nullopt;
+        return power_of_sum(n.left, std::move(*x), *e);
+      }
       case operation::abs: {
         auto x = split(n.left);
-        if (!x || x->size() != 1) return std::nullopt;
+        if (!x || x->size() != 1 || !x->front().powers.empty()) return std::nullopt;
         return sum{{g_.make(operation::abs, x->front().periodic),
                     g_.make(operation::abs, x->front().steady)}};
       }
@@ -171,25 +184,43 @@ class splitting {
     sum result;
     for (const product& p : *x) {
       for (const product& q : *y) {
-        result.push_back({multiply(g_, p.periodic, q.periodic), multiply(g_, p.steady, q.steady)});
+        result.push_back(
+            {multiply(g_, p.periodic, q.periodic), multiply(g_, p.steady, q.steady), p.powers});
+        for (const auto& [of, e] : q.powers) result.back().powers[of] += e;
       }
     }
     return result;
   }
-  std::optional<sum> power(const std::optional<sum>& x, long n) {
+  std::optional<sum> power(node_id of, long n) {
+    if (const node m = g_[of]; n < 0 && m.what == operation::multiply) {
+      return multiplied(power(m.left, n), power(m.right, n));  // each may be a sum
+    }
+    auto x = split(of);
     if (!x) return std::nullopt;
     if (x->size() == 1) {
-      return sum{{detail::power(g_, x->front().periodic, g_.number(n)),
-                  detail::power(g_, x->front().steady, g_.number(n))}};
+      product result{detail::power(g_, x->front().periodic, g_.number(n)),
+                     detail::power(g_, x->front().steady, g_.number(n)), x->front().powers};
+      for (auto& [base, e] : result.powers) e *= n;
+      return sum{std::move(result)};
     }
+    if (n < 0) return power_of_sum(of, std::move(*x), n);
     if (n < 1 || n > most_power) return std::nullopt;
     std::optional<sum> result = x;
     for (long k = 1; k < n && result; ++k) result = multiplied(result, x);
     return result;
   }
+  /// Of a node that is this sum.
+  std::optional<sum> power_of_sum(node_id of, sum x, const rational& e) {
+    if (std::ranges::any_of(x, [](const product& p) { return !p.powers.empty(); })) {
+      return std::nullopt;
+    }
+    bases_.emplace(of, std::move(x));
+    return sum{{one_, one_, {{of, e}}}};
+  }
 
   detail::graph g_;
   node_id one_;
+  std::map<node_id, sum> bases_;
   std::vector<char> moves_;
   std::vector<char> turns_;
   std::optional<pi_combination> period_;
@@ -266,6 +297,41 @@ class powers {
   node_id one_;
 };
 
+/// x^lowest (c_0 + c_1 x + ...), the c_i periodic nodes.
+struct moving_polynomial {
+  rational lowest;
+  std::vector<node_id> coefficients;
+};
+
+/// Of a sum whose other factors are powers of x and polynomials; the powers of all differ by whole
+/// ones.
+std::optional<moving_polynomial> polynomial_of(detail::graph& g, const sum& x) {
+  constexpr long most_degree = 32;
+  std::map<rational, node_id> coefficients;
+  for (const product& p : x) {
+    const power_of_x split = powers(g).of(p.steady);
+    const auto c = detail::polynomial_in_variable(g, split.rest);
+    if (!c) return std::nullopt;
+    for (std::size_t k = 0; k < c->size(); ++k) {
+      if ((*c)[k] == g.number(0)) continue;
+      const node_id term = multiply(g, p.periodic, (*c)[k]);
+      const auto [place, is_new] =
+          coefficients.emplace(split.exponent + static_cast<long>(k), term);
+      if (!is_new) place->second = add(g, place->second, term);
+    }
+  }
+  if (coefficients.empty()) return std::nullopt;
+  moving_polynomial result{coefficients.begin()->first, {}};
+  if (coefficients.rbegin()->first - result.lowest > most_degree) return std::nullopt;
+  for (const auto& [e, c] : coefficients) {
+    const rational step = e - result.lowest;
+    if (denominator(step) != 1) return std::nullopt;
+    result.coefficients.resize(static_cast<std::size_t>(numerator(step)), g.number(0));
+    result.coefficients.push_back(c);
+  }
+  return result;
+}
+
 }  // namespace
 }  // namespace periodic_sum_impl
 
@@ -278,12 +344,23 @@ std::optional<expression::periodic_sum> expression::as_periodic_sum() const {
     const auto terms = splitting.terms();
     if (!terms) return std::nullopt;
     detail::graph& g = splitting.graph();
-    // Of one periodic function, the steady parts whose powers of x differ by whole ones together:
-    // they may cancel.
-    std::map<std::pair<detail::node_id, rational>, std::vector<impl::power_of_x>> steady;
+    std::map<detail::node_id, impl::moving_polynomial> bases;
     for (const impl::product& p : *terms) {
-      const impl::power_of_x split = impl::powers(g).of(p.steady);
-      steady[{p.periodic, split.exponent - floor_of(split.exponent)}].push_back(split);
+      for (const auto& [of, e] : p.powers) {
+        auto found = impl::polynomial_of(g, splitting.base(of));
+        if (!found) return std::nullopt;
+        bases.emplace(of, std::move(*found));
+      }
+    }
+    // Of the same periodic functions, the steady parts whose powers of x differ by whole ones
+    // together: they may cancel.
+    std::map<std::tuple<detail::node_id, impl::powers_of_sums, rational>,
+             std::vector<impl::power_of_x>>
+        steady;
+    for (const impl::product& p : *terms) {
+      impl::power_of_x split = impl::powers(g).of(p.steady);
+      for (const auto& [of, e] : p.powers) split.exponent += e * bases.at(of).lowest;
+      steady[{p.periodic, p.powers, split.exponent - floor_of(split.exponent)}].push_back(split);
     }
     periodic_sum result{splitting.period(), {}};
     for (const auto& [key, parts] : steady) {
@@ -296,8 +373,16 @@ std::optional<expression::periodic_sum> expression::as_periodic_sum() const {
       }
       const auto quotient = with_root(g, sum).quotient();
       if (!quotient) return std::nullopt;
-      result.terms.push_back(
-          {with_root(g, key.first), e, quotient->numerator, denominator_of(*quotient)});
+      const auto& [periodic, powers, fraction] = key;
+      periodic_sum::term term{
+          with_root(g, periodic), e, quotient->numerator, denominator_of(*quotient), {}};
+      for (const auto& [of, power] : powers) {
+        term.powers.push_back({{}, power});
+        for (const detail::node_id c : bases.at(of).coefficients) {
+          term.powers.back().coefficients.push_back(with_root(g, c));
+        }
+      }
+      result.terms.push_back(std::move(term));
     }
     return result;
   } catch (const detail::undefined_operation&) {

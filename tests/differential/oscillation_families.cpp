@@ -174,6 +174,47 @@ integral_case divergent_periodic_tails(maker& m) {
   return c;
 }
 
+/// A power of a polynomial in x with periodic coefficients; the polynomial may vanish somewhere.
+term moving_power(maker& m) {
+  const long degree = m.between(1, 3);
+  const term leading = m.one_in(3) ? periodic(m, true) : m.rational_near(m.scattered(0.5, 3));
+  term base = leading * power(x, degree);
+  for (long k = degree - 1; k >= (m.one_in(4) ? -1 : 0); --k) {
+    if (k < degree - 1 && m.one_in(2)) continue;
+    const term turn = wave(m, m.one_in(2) ? x : 2 * x);
+    base =
+        base + m.rational_near(m.within(-2, 2)) * (m.one_in(3) ? turn * turn : turn) * power(x, k);
+  }
+  const term exponent = m.one_in(2)   ? term(m.between(1, 3))
+                        : m.one_in(3) ? m.quotient(m.within(0.3, 3))
+                                      : term(m.between(1, 3)) / 2;
+  return power(base, -exponent);
+}
+
+/// The derivative of such a power, perhaps times what has a period.
+integral_case moving_periodic_tails(maker& m) {
+  const term f = (m.one_in(2) ? wave(m, x) : term(1)) * moving_power(m) *
+                 (m.one_in(4) ? power(x, -m.between(1, 2)) : term(1));
+  const term from = m.near(m.scattered(1.5, 20));
+  integral_case c{derivative(f), from, "inf", m.between(2, 18)};
+  c.value = -substituted(f, "x", from);
+  c.is_cheap = m.one_in(2);
+  return c;
+}
+
+/// Of another mean than 0, over about x: sines squared, and what is positive.
+integral_case divergent_moving_tails(maker& m) {
+  const term turn = wave(m, x);
+  const term above = m.one_in(2) ? turn * turn : m.rational_near(m.scattered(0.3, 2)) + turn / 4;
+  const term below =
+      x + m.rational_near(m.within(1, 3)) + wave(m, x) * m.rational_near(m.within(-1, 1));
+  integral_case c{above / (m.one_in(3) ? power(below, m.quotient(m.within(0.2, 1))) : below),
+                  m.rational_near(m.scattered(0.5, 3)), "inf", few_digits(m)};
+  c.diverges = true;
+  c.is_cheap = true;
+  return c;
+}
+
 /// A polynomial in the fractional part of k x, with the mean 0 or another one, times what decays.
 integral_case sawtooths(maker& m, bool converges) {
   const term k = m.one_in(2) ? term(m.between(1, 3)) : m.quotient(m.within(0.2, 3));
@@ -489,6 +530,8 @@ std::vector<integral_family> oscillation_families() {
       {"products of oscillations", 6, products},
       {"periodic functions times what decays", 6, periodic_tails},
       {"periodic functions times what decays too slowly", 6, divergent_periodic_tails},
+      {"powers of polynomials with periodic coefficients", 6, moving_periodic_tails},
+      {"powers of such polynomials that do not converge", 6, divergent_moving_tails},
       {"sawtooths of mean 0", 6, sawtooths_of_mean_zero},
       {"sawtooths of another mean", 6, sawtooths_of_another_mean},
       {"steps of reciprocals", 6, steps_of_reciprocals},

@@ -13,7 +13,13 @@ namespace periodic_sum_test {
 constexpr precision p = 128;
 
 ball value_of(const expression::periodic_sum::term& t, const ball& x) {
-  return t.factor(x) * pow(x, ball(t.exponent, p)) * t.numerator(x) / t.denominator(x);
+  ball result = t.factor(x) * pow(x, ball(t.exponent, p)) * t.numerator(x) / t.denominator(x);
+  for (const auto& [coefficients, power] : t.powers) {
+    ball base(0, p);
+    for (std::size_t i = coefficients.size(); i-- > 0;) base = base * x + coefficients[i](x);
+    result *= pow(base, ball(power, p));
+  }
+  return result;
 }
 
 TEST(PeriodicSum, HasTheValueAndThePeriod) {
@@ -39,7 +45,13 @@ TEST(PeriodicSum, HasTheValueAndThePeriod) {
       {"sin(x)*(4*x^2)^(1/2)", {0, 2}},
       {"(x - floor(x))/root(8*x^4, 3)", {1, 0}},
       {"(floor(3*x) - 3*x + 1/2)*x^(-1/2)/(x + 1)", {rational(1, 3), 0}},
-      {"max(sin(x), 1/2)*x", {0, 2}}};
+      {"max(sin(x), 1/2)*x", {0, 2}},
+      {"1/floor(x + 1)", {1, 0}},
+      {"1/(2 + sin(x) + 1/x)", {0, 2}},
+      {"cos(2*x)/(x^2 + sin(2*x)^2*x)/3", {0, 1}},
+      {"sqrt(x + cos(x)/2)*(x + cos(x)/2)", {0, 2}},
+      {"(2*x*(3 + sin(x)) + 1/sqrt(2)/x)^(-3)", {0, 2}},
+      {"(x^(1/2) + cos(pi*x)*x^(-1/2) + 1/(2*x^(3/2)))^(2/3)/(5 - x + floor(x))", {2, 0}}};
   for (const auto& [text, period] : samples) {
     const expression f = parse(text);
     const auto sum = f.as_periodic_sum();
@@ -61,11 +73,28 @@ TEST(PeriodicSum, HasTheValueAndThePeriod) {
 }
 
 TEST(PeriodicSum, IsNoneOfOthers) {
-  for (const char* text :
-       {"1/x^2", "exp(-x)", "sin(x^2)/x", "sin(x)*cos(pi*x)", "floor(x)*sin(x)", "1/floor(x)",
-        "1/(2 + sin(x) + 1/x)", "sin(x + sin(x))", "exp(x*sin(x))", "log(x)*sin(x)",
-        "sqrt(x*sin(x))", "sin(x)^x", "sin(exp(1)*x)", "floor(x^2)", "sin(x)*sqrt(-2*x)",
-        "sin(x)*sqrt(2*x)", "abs(x - 1)*sin(x)", "sin(x)*abs(-2*x)"}) {
+  for (const char* text : {"1/x^2",
+                           "exp(-x)",
+                           "sin(x^2)/x",
+                           "sin(x)*cos(pi*x)",
+                           "floor(x)*sin(x)",
+                           "1/(2 + sin(x) + exp(x))",
+                           "1/(sin(x) + sqrt(x))",
+                           "sqrt(x + 1/(x + sin(x)))",
+                           "1/(x^40 + sin(x))",
+                           "1/(x + sin(x)/(x + 1))",
+                           "abs(1/(x + sin(x)))",
+                           "sin(x + sin(x))",
+                           "exp(x*sin(x))",
+                           "log(x)*sin(x)",
+                           "sqrt(x*sin(x))",
+                           "sin(x)^x",
+                           "sin(exp(1)*x)",
+                           "floor(x^2)",
+                           "sin(x)*sqrt(-2*x)",
+                           "sin(x)*sqrt(2*x)",
+                           "abs(x - 1)*sin(x)",
+                           "sin(x)*abs(-2*x)"}) {
     EXPECT_FALSE(parse(text).as_periodic_sum()) << text;
   }
   EXPECT_FALSE(parse("sin(x)*y", {"x", "y"}).as_periodic_sum());

@@ -667,6 +667,31 @@ TEST(Integrate, RefusesWhatDivergesAtAnEnd) {
       "1", [](const auto&) { return 1; }, 0, infinity, why, "at infinity");
 }
 
+/// Also where a closed form leaves it out.
+TEST(Integrate, RefusesNumbersThatAreNotDefined) {
+  const end_point inf = end_point::infinity();
+  for (const std::string undefined : {"log(cos(2))", "(1/(sqrt(2)*sqrt(3) - sqrt(6)))", "acos(pi)",
+                                      "(1/(exp(1000)*exp(-1000) - 1))"}) {
+    for (const std::string form :
+         {"exp(-x) + 0*(C*x)", "exp(-x + 0*(C*x))", "x + 0*(C*x)", "cos(x^2 + 0*(C*x))",
+          "exp(-x)*(C*x - C*x)", "exp(-x) + 0*sin(C*x)", "sin(exp(x + 0*(C*x)))",
+          "sin(x)/x + (C*x - C*x)/x", "C^0*exp(-x)"}) {
+      std::string text = form;
+      for (std::size_t at = 0; (at = text.find('C', at)) != std::string::npos;) {
+        text.replace(at, 1, undefined);
+      }
+      const expression f = parse(text);
+      EXPECT_FALSE(f.has_defined_constants()) << text;
+      EXPECT_NE(integrate(f, 0, inf, {.digits = 10}).verdict, status::certified) << text;
+      EXPECT_NE(integrate(f, 0, 1, {.digits = 10}).verdict, status::certified) << text;
+      EXPECT_FALSE(exact_integral(f, 0, 1)) << text;
+    }
+  }
+  // A number that needs many bits.
+  EXPECT_EQ(integrate(parse("exp(-x)/(exp(-2000) - exp(-3000))"), 0, inf, {.digits = 10}).verdict,
+            status::certified);
+}
+
 TEST(Integrate, RefusesWhatItCannotProve) {
   const reason why = reason::not_analytic;
   refused(

@@ -59,12 +59,28 @@ ball tail_of(const expression& f, const rational& from, precision p) {
 
 /// The same tail to few bits and to many. From far on, many periods are of nearly one size.
 TEST(PeriodicTail, HoldsItsValueAtEveryPrecision) {
-  for (const char* text :
-       {"abs(sin(x))/x^2", "1/(2 + sin(x))/x^2", "log(2 + cos(x))/(1 + x^2)", "floor(x)/x^3",
-        "exp(3*sin(x))/x^(3/2)", "cos(2*pi*x)^2/(x^2 - x - 3)", "(x - floor(x))/(x^2 + 3*x)",
-        "exp(cos(5*x))*(x + 1)/(2*x^3 + 7)", "1/(3 + sin(x))/x^40", "exp(14 + sin(x))/x^2",
-        "(x - floor(x) - 1/2)/x", "(floor(3*x) - 3*x + 1/2)*x^(1/3)/(x + 2)",
-        "(2*(x/2 - floor(x/2))^3 - 1/2)/sqrt(x)", "cos(x)/(5 + 4*sin(x))*(x - 1)/(x^2 + 1)"}) {
+  for (const char* text : {"abs(sin(x))/x^2",
+                           "1/(2 + sin(x))/x^2",
+                           "log(2 + cos(x))/(1 + x^2)",
+                           "floor(x)/x^3",
+                           "exp(3*sin(x))/x^(3/2)",
+                           "cos(2*pi*x)^2/(x^2 - x - 3)",
+                           "(x - floor(x))/(x^2 + 3*x)",
+                           "exp(cos(5*x))*(x + 1)/(2*x^3 + 7)",
+                           "1/(3 + sin(x))/x^40",
+                           "exp(14 + sin(x))/x^2",
+                           "(x - floor(x) - 1/2)/x",
+                           "(floor(3*x) - 3*x + 1/2)*x^(1/3)/(x + 2)",
+                           "(2*(x/2 - floor(x/2))^3 - 1/2)/sqrt(x)",
+                           "cos(x)/(5 + 4*sin(x))*(x - 1)/(x^2 + 1)",
+                           "1/(x^2 + 3*x*sin(x) + 5)",
+                           "sin(x)/(x + 2*cos(x) + 2)",
+                           "1/(x^2*(3 + 2*sin(x)) + 1)",
+                           "(x + 1)*sqrt(x + sin(x))/(x^3 + 2)/sqrt(x^2*(2 + cos(x)) + x)",
+                           "1/floor(x + 3/2)^2",
+                           "1/(x + sin(x)) - 1/x",
+                           "(10^9)^2/(10^9*x + 10^9*sin(x))^2",
+                           "1/(x^2/10^9 + 1/10^9 + sin(x)/10^9)"}) {
     const expression f = parse(text);
     for (const rational& from : {rational(1), rational(100000)}) {
       const ball exact = tail_of(f, from, 200);
@@ -119,6 +135,45 @@ TEST(PeriodicTail, GivesKnownIntegrals) {
   }
 }
 
+TEST(PeriodicTail, MayHavePowersOfPolynomialsWithPeriodicCoefficients) {
+  constexpr precision p = 200;
+  const end_point inf = end_point::infinity();
+  EXPECT_TRUE(overlaps(of("1/floor(x)^2", 1, inf), square(pi(p)) / 6));
+  EXPECT_TRUE(overlaps(of("1/(floor(x)*ceil(x))", 1, inf), ball(1, p)));
+  EXPECT_TRUE(overlaps(of("1/floor(x)^3 - 1/ceil(x)^3", 1, inf), ball(1, p)));
+  // Derivatives of 1/(x^2 + sin x), (x + sin x)^(-1/2), cos(x)/(x + sin x), and of one of these
+  // times 1/x, whose leading coefficients have a period.
+  const ball s = sin(ball(2, p));
+  EXPECT_TRUE(overlaps(of("(2*x + cos(x))/(x^2 + sin(x))^2", 2, inf), 1 / (4 + s)));
+  EXPECT_TRUE(overlaps(of("(1 + cos(x))/(x + sin(x))^(3/2)", 2, inf), 2 / sqrt(2 + s)));
+  EXPECT_TRUE(overlaps(of("(sin(x)*(x + sin(x)) + cos(x)*(1 + cos(x)))/(x + sin(x))^2", 2, inf),
+                       cos(ball(2, p)) / (2 + s)));
+  EXPECT_TRUE(overlaps(of("(2 + sin(x) + x*cos(x))/(x*(2 + sin(x)) - 3)^2", 2, inf),
+                       1 / (2 * (2 + s) - 3)));
+  EXPECT_TRUE(overlaps(of("((1 + cos(x))/(x + sin(x)) + (2*x - sin(x))/(2*(x^2 + cos(x))))"
+                          "/((x + sin(x))*sqrt(x^2 + cos(x)))",
+                          2, inf),
+                       1 / ((2 + s) * sqrt(4 + cos(ball(2, p))))));
+  // sin(x)/(x + sin(x)) = sin(x)/x - sin(x)^2/x^2 + sin(x)^3/(x^2 (x + sin(x))).
+  EXPECT_TRUE(overlaps(of("sin(x)/(x + sin(x))", 1, inf),
+                       of("sin(x)/x", 1, inf) - of("sin(x)^2/x^2", 1, inf) +
+                           of("sin(x)^3/(x^2*(x + sin(x)))", 1, inf)));
+}
+
+/// log|2 sin(x/2)| = -the sum of cos(n x)/n, and so its integral with 1/(1 + x^2) over the line is
+/// -pi times the sum of e^-n/n; and |sin(pi x)|^(-1/2)/x^2 against its parts.
+TEST(PeriodicTail, MayHaveIntegrablePoles) {
+  constexpr precision p = 200;
+  const end_point inf = end_point::infinity();
+  EXPECT_TRUE(
+      overlaps(of("log(abs(2*sin(x/2)))/(1 + x^2)", -inf, inf), pi(p) * log(1 - exp(ball(-1, p)))));
+  EXPECT_TRUE(overlaps(of("log(abs(cos(x)))/x^2", 1, inf),
+                       of("log(abs(cos(x)))/x^2", 1, 9) + of("log(abs(cos(x)))/x^2", 9, inf)));
+  EXPECT_TRUE(overlaps(of("1/sqrt(abs(sin(pi*x)))/x^2", rational(3, 2), inf),
+                       of("1/sqrt(abs(sin(pi*x)))/x^2", rational(3, 2), 7) +
+                           of("1/sqrt(abs(sin(pi*x)))/x^2", 7, inf)));
+}
+
 TEST(PeriodicTail, OfMeanZeroMayDecaySlowly) {
   constexpr precision p = 200;
   const end_point inf = end_point::infinity();
@@ -145,7 +200,9 @@ TEST(PeriodicTail, OfAnotherMeanIsRefused) {
        {"(x - floor(x) - 1/3)/x", "(x - floor(x) - 1/2 - 1/10^30)/x", "x - floor(x) - 1/2",
         "x*(x - floor(x) - 1/2)", "(floor(2*x) - 2*floor(x) + 1/2)/x", "exp(sin(x))/x",
         "(x - floor(x) - 1/2)/x + (x - floor(x) - 1/3)/sqrt(x)", "(x - floor(x))/sqrt(x) - 1/2/x",
-        "abs(sin(x))/x", "(abs(cos(x)) - 2/3)/x", "cos(x)/(1 + sin(x))/sqrt(x)"}) {
+        "abs(sin(x))/x", "(abs(cos(x)) - 2/3)/x", "cos(x)/(1 + sin(x))/sqrt(x)",
+        "sin(x)^2/(x + sin(x))", "1/(x + sin(x)) - 1/(x + 1)^2", "sin(x)/(x*(2 + sin(x)) + 1)",
+        "(1 + 1/10^9)/(x + sin(x)) - 1/x", "1/sqrt(x^2 + x*sin(x))"}) {
     EXPECT_FALSE(detail::periodic_tail_of(parse(f), 1, 64)) << f;
     EXPECT_NE(integrate(parse(f), 1, end_point::infinity(), {.digits = 10}).verdict,
               status::certified)
@@ -157,7 +214,12 @@ TEST(PeriodicTail, IsRefusedWhereItMayNotConverge) {
   for (const char* f :
        {"abs(sin(x))/x", "floor(x)/x^2", "abs(sin(x))/sqrt(x)", "tan(x)^2/x^2", "1/sin(x)^2/x^2",
         "1/(1 + sin(x))/x^2", "exp(sin(x))", "x*exp(sin(x))", "exp(sin(x)*cos(pi*x))/x^2",
-        "abs(sin(x^2))/x^2", "1/floor(x)^2", "1/(2 + sin(x) + 1/x)/x^2",
+        "abs(sin(x^2))/x^2", "1/(2 + sin(x) + log(x))/x",
+        // A divisor that vanishes ever again, or whose leading coefficient does.
+        "1/(x*sin(x) + 1)/x^2", "1/(x*(1 + sin(x)) + 1)/x^2", "1/(x^2*sin(x)^2 + 2)/x",
+        "sqrt(x*sin(x) + x^2*(1/2 - cos(x)))/x^4", "(x*sin(x) + x)/(x*sin(x) + x)/x^2",
+        "sqrt(x*max(sin(x), 0) + x*max(sin(x), 0)^2)/sqrt(x*max(sin(x), 0) + x*max(sin(x), 0)^2)"
+        "/x^2",
         // Defined on a part of each period alone.
         "sqrt(sin(x))/x^2", "exp(sin(x))/x^2 + acos(3/2 + sin(x))*(1/x - 1/x)"}) {
     EXPECT_FALSE(detail::periodic_tail_of(parse(f), 1, 64)) << f;

@@ -195,6 +195,10 @@ class expression {
   /// Where the value is undefined at p bits: the function, with its domain, that is the first in it
   /// not to be defined; none where that is an operator.
   [[nodiscard]] std::optional<expression_function> undefined_function(precision p) const;
+  /// Whether each part without variables is shown to have a value, by moderately many bits. A
+  /// formula with a part that has none is defined nowhere, also where the part counts for nothing:
+  /// "x + 0*log(cos(2))".
+  [[nodiscard]] bool has_defined_constants() const;
   /// The formula with its constants converted to p bits (of their balls; a region or a double has
   /// a precision of its own).
   template <class T>
@@ -265,10 +269,12 @@ class expression {
   struct two_rays;
   [[nodiscard]] std::optional<two_rays> between_turned_rays(const rational& a,
                                                             const rational& b) const;
-  /// f for x > 0 as a sum of products of a function of one period, x^e and a rational function
-  /// ("abs(sin(x))/x^2", "log(2 + cos(x))/(1 + x^2)", "floor(x)/x^3"); it has the same value
-  /// wherever f is defined. None for other formulas, where no function of a period is in f or the
-  /// periods have no common multiple, and for long ones.
+  /// f for x > 0 as a sum of products of a function of one period, x^e, a rational function, and
+  /// powers of polynomials in x with coefficients of the period ("abs(sin(x))/x^2",
+  /// "log(2 + cos(x))/(1 + x^2)", "floor(x)/x^3", "1/(x^2 + sin(x))"); it has the same value
+  /// wherever f is defined and the polynomials of broken powers are positive. None for other
+  /// formulas, where no function of a period is in f or the periods have no common multiple, and
+  /// for long ones.
   struct periodic_sum;
   [[nodiscard]] std::optional<periodic_sum> as_periodic_sum() const;
   /// N and d_1, d_2, ... such that, where N and the d_i have values, f has one exactly where no d_i
@@ -398,11 +404,17 @@ struct expression::two_rays {
 };
 struct expression::periodic_sum {
   pi_combination period;
+  /// (c_0 + c_1 x + ... + c_n x^n)^power with c_i of the period.
+  struct moving_power {
+    std::vector<expression> coefficients;
+    rational power;  // may be 0: f is defined only where the polynomial is not 0
+  };
   struct term {
     expression factor;  // of the period
     rational exponent;
-    rational_polynomial numerator;  // may be 0: f is defined only where the factor is
+    rational_polynomial numerator;  // may be 0: f is defined only where the factors are
     rational_polynomial denominator;
+    std::vector<moving_power> powers;
   };
   std::vector<term> terms;
 };

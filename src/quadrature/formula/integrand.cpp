@@ -398,6 +398,13 @@ integral integrate(const expression& f, const end_point& a, const end_point& b,
 
 integral integrate(const prepared_integrand& f, const end_point& a, const end_point& b,
                    const integrate_options& options) {
+  // Closed forms leave out what is multiplied by 0, or subtracted from itself.
+  if (!f.formula().has_defined_constants()) {
+    integral refused;
+    refused.why = reason::not_analytic;
+    refused.obstacle = "a number in the integrand is not defined, or is not proved to be";
+    return refused;
+  }
   return settled_zero(f.formula(), detail::integrate_function(f.functions(), a, b, options));
 }
 

@@ -1,4 +1,4 @@
-// Let f(x) = P(x) g(x) for x >= X - v, with P of period T = 2 v and
+// Let f(x) = P(x) g(x) for x >= X - v, with P of period T = 2 v, integrable over a period, and
 //
 //   g(x) = x^-s (a_0 + a_1/x + a_2/x^2 + ...),  |a_k| <= M rho^k,  s > 1,  rho > 0.
 //
@@ -37,7 +37,18 @@
 // the sum of |d_i| rho^(i-d) over i < d is at most |d_d|/2, the divisor is at least |d_d|/2 for
 // |z| <= 1/rho, so that |a_k| <= M rho^k with M = 2 (the sum of |n_i| rho^(i-n))/|d_d| (Cauchy).
 //
-// For 0 < s <= 1 let a_0 P have the integral 0 over a period, and P be bounded. Over N periods the
+// A further factor of g may be (c_m x^m + ... + c_0)^alpha with c_i of period T: g then depends on
+// u, too, and all of the above holds for each u with an M and a rho that hold for all. With w_i =
+// c_(m-i)/c_m, it is x^(m alpha) c_m^alpha times the series of (1 + w_1 z + ... + w_m z^m)^alpha at
+// z = 1/x. Where the sum of |w_i| rho^-i is at most 1/2, for |z| <= 1/rho the power is analytic and
+// at most 2^|alpha| in size, and the polynomial is not 0; it has the sign of c_m for x >= rho. The
+// product b of such series with Q = the product of the D_j = 1 + w_1 z + ..., to the alpha_j, has
+//
+//   Q b' = R b,   R = the sum over j of alpha_j D_j' (the product of the other D_i),
+//
+// and so k b_k = the sum over i >= 1 of (r_(i-1) - (k - i) q_i) b_(k-i).
+//
+// For 0 < s <= 1 let a_0 P have the integral 0 over a period. Over N periods the
 // integral of P g is then that of P(X + u) times the sum over n < N of g(Y_n + u) - a_0 Y_n^-s,
 // whose terms are O(Y_n^(-s-1)) for |u| <= v, and over a part of a period it tends to 0 as g does.
 // So the integral converges, and all of the above holds with S less its term with k = i = 0: of the
@@ -62,22 +73,21 @@ namespace polhode::detail {
 
 namespace {
 
-/// A term's other factor as x^-s (a_0 + a_1/x + ...).
+/// A term's other factors as x^-s (a_0 + a_1/x + ...).
 struct decay {
   rational s;
-  std::vector<rational> numerator;    // a's quotient, coefficients of 1, z, z^2, ...
+  std::vector<rational> numerator;    // of a's quotient, the coefficients of 1, z, z^2, ...
   std::vector<rational> denominator;  // of which the first is not 0
+  /// Bounds of |w_1|, |w_2|, ... over a period, for each power of a polynomial.
+  std::vector<std::vector<rational>> ratios = {};
+  /// A bound of the product of the |c_m|^alpha 2^|alpha|: |b_k| is at most that times rho^k.
+  rational size = 1;
 };
 
 std::vector<rational> from_the_leading(const rational_polynomial& p) {
   std::vector<rational> c = p.coefficients();
   std::ranges::reverse(c);
   return c;
-}
-
-decay decay_of(const expression::periodic_sum::term& t) {
-  return {t.denominator.degree() - t.numerator.degree() - t.exponent, from_the_leading(t.numerator),
-          from_the_leading(t.denominator)};
 }
 
 /// The sum of |c_i| rho^-i over i >= first.
@@ -93,9 +103,13 @@ std::optional<rational> common_rho(const std::vector<decay>& all, const rational
   rational rho = 1;
   while (rho / 2 >= least) rho /= 2;
   constexpr int most_doublings = 60;
+  const auto is_for_ratios = [&](const std::vector<rational>& w) {
+    return 2 * size_at(w, 0, rho) <= rho;
+  };
   for (int k = 0; k < most_doublings; ++k, rho *= 2) {
     if (rho >= least && std::ranges::all_of(all, [&](const decay& g) {
-          return 2 * size_at(g.denominator, 1, rho) <= abs(g.denominator.front());
+          return 2 * size_at(g.denominator, 1, rho) <= abs(g.denominator.front()) &&
+                 std::ranges::all_of(g.ratios, is_for_ratios);
         })) {
       return rho;
     }
@@ -151,6 +165,117 @@ std::optional<magnitude> bound_over_period(const expression& factor, const ratio
   return most;
 }
 
+/// A bound of |f| over [0, 2 v], which holds a period of f. None where none is found.
+std::optional<rational> bound_over_period(const symbol& f, const expression_names& names,
+                                          const rational& v) {
+  const auto most = bound_over_period(expression(f, names), v, v);
+  return most ? std::optional(upper_rational(ball(0, 64).enlarged(*most))) : std::nullopt;
+}
+
+/// The term's decay. None where a power of a polynomial has no bounds over a period, which [0, 2 v]
+/// holds.
+std::optional<decay> decay_of(const expression::periodic_sum::term& t, const rational& v) {
+  decay result{t.denominator.degree() - t.numerator.degree() - t.exponent,
+               from_the_leading(t.numerator), from_the_leading(t.denominator)};
+  const symbol x = symbol::variable(0);
+  const expression_names& names = t.factor.names();
+  for (const auto& [c, power] : t.powers) {
+    constexpr long greatest_power = 32;
+    if (abs(power) > greatest_power) return std::nullopt;
+    result.s -= power * static_cast<long>(c.size() - 1);
+    const symbol leading = c.back()(x);
+    const auto size = bound_over_period(pow(leading, symbol(power)), names, v);
+    if (!size) return std::nullopt;
+    // f is defined only where the polynomial is not 0, also where the power is 0.
+    if (power == 0 && !bound_over_period(1 / leading, names, v)) return std::nullopt;
+    result.size *= *size;
+    for (rational step = 0; step < abs(power); ++step) result.size *= 2;
+    std::vector<rational> ratios;
+    for (std::size_t i = c.size() - 1; i-- > 0;) {
+      const auto ratio = bound_over_period(c[i](x) / leading, names, v);
+      if (!ratio) return std::nullopt;
+      ratios.push_back(*ratio);
+    }
+    result.ratios.push_back(std::move(ratios));
+  }
+  return result;
+}
+
+// Polynomials in z, by their coefficients that are not 0.
+using polynomial_in_z = std::map<std::size_t, symbol>;
+
+void add_to(polynomial_in_z& sum, std::size_t k, const symbol& c) {
+  const auto [place, is_new] = sum.emplace(k, c);
+  if (!is_new) place->second = place->second + c;
+}
+
+polynomial_in_z operator*(const polynomial_in_z& p, const polynomial_in_z& q) {
+  polynomial_in_z result;
+  for (const auto& [i, c] : p) {
+    for (const auto& [k, d] : q) add_to(result, i + k, c * d);
+  }
+  return result;
+}
+
+/// b_0, ..., b_(count-1) at this x of the period.
+std::vector<symbol> coefficients_of(const std::vector<expression::periodic_sum::moving_power>& all,
+                                    const symbol& x, std::size_t count) {
+  symbol first = 1;
+  polynomial_in_z q{{0, 1}};
+  polynomial_in_z r;
+  for (const auto& [c, power] : all) {
+    if (power == 0) continue;
+    const symbol leading = c.back()(x);
+    first = first * pow(leading, symbol(power));
+    polynomial_in_z d{{0, 1}};
+    polynomial_in_z slope;  // alpha D'
+    for (std::size_t i = 1; i < c.size(); ++i) {
+      const expression& own = c[c.size() - 1 - i];
+      const auto number = own.rational_value();
+      if (number && *number == 0) continue;
+      const symbol w = own(x) / leading;
+      d.emplace(i, w);
+      slope.emplace(i - 1, w * (power * static_cast<long>(i)));
+    }
+    const polynomial_in_z more = q * slope;
+    r = r * d;
+    for (const auto& [k, w] : more) add_to(r, k, w);
+    q = q * d;
+  }
+  std::vector<symbol> b{first};
+  const std::size_t longest = std::max(q.rbegin()->first, r.empty() ? 0 : r.rbegin()->first + 1);
+  for (std::size_t k = 1; k < count; ++k) {
+    symbol sum = 0;
+    for (std::size_t i = 1; i <= std::min(k, longest); ++i) {
+      symbol factor = 0;
+      if (const auto c = r.find(i - 1); c != r.end()) factor = factor + c->second;
+      const rational rest(static_cast<long>(k - i));
+      if (const auto c = q.find(i); c != q.end()) factor = factor - c->second * rest;
+      if (r.contains(i - 1) || q.contains(i)) sum = sum + factor * b[k - i];
+    }
+    b.push_back(sum * rational(1, static_cast<long>(k)));
+  }
+  return b;
+}
+
+/// A bound of the integral of |P| over a period around X. None where none is found.
+std::optional<magnitude> size_over_period(const expression& factor, const pi_combination& period,
+                                          const rational& x, const rational& v) {
+  if (const auto most = bound_over_period(factor, x, v)) {
+    return multiply_up(*most, ball(rational(2 * v), 64).magnitude_upper());
+  }
+  const symbol size = symbol::call("abs", {factor(symbol::variable(0))});
+  const pi_combination middle{x, 0};
+  const pi_combination half = period * rational(1, 2);
+  integrate_options few;
+  few.digits = 1;
+  few.most_evaluations = 20'000;
+  const integral found = integrate(expression(size, factor.names()), end_point(middle - half),
+                                   end_point(middle + half), few);
+  if (found.verdict != status::certified) return std::nullopt;
+  return found.enclosure.magnitude_upper();
+}
+
 bool has_moderate_size(const rational& q) {
   static const rational most = rational(integer(1) << 1000);
   return q < most && q * most > 1;
@@ -186,7 +311,9 @@ bool slow_terms_have_mean_zero(const expression::periodic_sum& sum,
     if (term.numerator.is_zero()) continue;
     if (g->s <= 1) {
       const rational first = g->numerator.front() / g->denominator.front();
-      sums[g->s] += term.factor(x) * first;
+      symbol slow = term.factor(x) * first;
+      for (const auto& [c, power] : term.powers) slow = slow * pow(c.back()(x), symbol(power));
+      sums[g->s] += slow;
     }
     ++g;
   }
@@ -203,29 +330,38 @@ bool slow_terms_have_mean_zero(const expression::periodic_sum& sum,
 }
 
 /// The x^-s (a_0 + ...) of the terms that are not 0. None where one is not for this rule.
-std::optional<std::vector<decay>> decays_of(const expression::periodic_sum& sum) {
+std::optional<std::vector<decay>> decays_of(const expression::periodic_sum& sum,
+                                            const rational& v) {
   constexpr long greatest_exponent = 200;
   std::vector<decay> decays;
   for (const auto& term : sum.terms) {
-    if (term.numerator.is_zero()) continue;
-    decays.push_back(decay_of(term));
-    if (decays.back().s > greatest_exponent) return std::nullopt;
+    if (term.numerator.is_zero()) {
+      if (!term.powers.empty()) return std::nullopt;
+      continue;
+    }
+    auto one = decay_of(term, v);
+    if (!one || one->s > greatest_exponent) return std::nullopt;
+    decays.push_back(std::move(*one));
   }
   if (decays.empty() || !slow_terms_have_mean_zero(sum, decays)) return std::nullopt;
   return decays;
 }
 
+/// v, a little more than T/2. None where that is no moderate number.
+std::optional<rational> half_of(const pi_combination& period) {
+  const rational half = upper_rational(ball(period.at(64) / 2));
+  return has_moderate_size(half) ? std::optional(rounded_up(half)) : std::nullopt;
+}
+
 std::optional<setting> setting_for(const std::vector<decay>& decays, const pi_combination& period,
-                                   const rational& from, precision goal) {
-  constexpr precision most_bits = 8000;  // S has more than two thousand terms then
-  if (goal > most_bits) return std::nullopt;
+                                   const rational& v, const rational& from, precision goal) {
+  // S has more than two thousand terms then, or a thousand that are formulas.
+  const bool has_powers =
+      std::ranges::any_of(decays, [](const decay& g) { return !g.ratios.empty(); });
+  const precision most_bits = has_powers ? 4000 : 8000;
+  if (goal > most_bits || (from != 0 && !has_moderate_size(abs(from)))) return std::nullopt;
   const precision bits = goal + 64;  // for what rounding adds
   const ball length = period.at(bits + 32);
-  const rational half = upper_rational(ball(length / 2));
-  if (!has_moderate_size(half) || (from != 0 && !has_moderate_size(abs(from)))) {
-    return std::nullopt;
-  }
-  const rational v = rounded_up(half);  // a little more than T/2
   const auto rho = common_rho(decays, v / 4);
   if (!rho) return std::nullopt;
   const rational x = std::max(rounded_up(8 * (*rho + v)), rational(from + rounded_up(2 * v)));
@@ -240,15 +376,17 @@ std::optional<setting> setting_for(const std::vector<decay>& decays, const pi_co
   return setting{length, v, *rho, x, count, goal, bits};
 }
 
-/// S as far as k + i < K: a polynomial in u with rational coefficients, and what it may be off at
-/// |u| <= v.
+/// S as far as k + i < K: the sum of b_k times polynomials in u with rational coefficients, and
+/// what it may be off at |u| <= v. b is 1 where g has no powers of polynomials.
 struct folded_factor {
-  std::vector<rational> coefficients;
+  std::vector<std::vector<rational>> coefficients;
   magnitude error;
 };
 
 folded_factor fold(const decay& g, const setting& at) {
-  const std::vector<ball> a = coefficients_of(g, at.count, at.bits);
+  const std::size_t used =
+      g.denominator.size() == 1 ? std::min(g.numerator.size(), at.count) : at.count;
+  const std::vector<ball> a = coefficients_of(g, used, at.bits);
   // At Y_N each order has 7 bits: c + 2 L times T/(2 pi Y_N) is below 1/12.
   const long order = static_cast<long>(at.goal) / 7 + 3;
   const long shifts =
@@ -259,23 +397,34 @@ folded_factor fold(const decay& g, const setting& at) {
       is_slow ? sums_of_powers(g.s + 1, at.x, at.period, at.count - 1, shifts, order, at.bits)
               : sums_of_powers(g.s, at.x, at.period, at.count, shifts, order, at.bits);
   if (is_slow) z.insert(z.begin(), ball(0, at.bits));
-  std::vector<ball> c(at.count, ball(0, at.bits));
-  for (std::size_t k = 0; k < at.count; ++k) {
-    ball term = a[k];
-    for (std::size_t i = 0; k + i < at.count; ++i) {
-      c[i] += term * z[k + i];
+  const std::size_t of_b = g.ratios.empty() ? 1 : at.count;
+  std::vector<std::vector<ball>> c;
+  for (std::size_t k = 0; k < of_b; ++k) c.emplace_back(at.count - k, ball(0, at.bits));
+  std::vector<ball> row(at.count, ball(0, at.bits));
+  for (std::size_t j = 0; j < at.count; ++j) {  // of a_l b_k with l + k = j
+    ball term(1, at.bits);
+    for (std::size_t i = 0; i + j < at.count; ++i) {
+      row[i] = term * z[j + i];
       const auto step = static_cast<long>(i);
-      term = term * rational(-(g.s + static_cast<long>(k) + step) / (step + 1));
+      term = term * rational(-(g.s + static_cast<long>(j) + step) / (step + 1));
+    }
+    for (std::size_t k = j - std::min(j, used - 1); k <= std::min(j, of_b - 1); ++k) {
+      for (std::size_t i = 0; i + j < at.count; ++i) c[k][i] += a[j - k] * row[i];
     }
   }
   folded_factor result;
   ball error(0, 64);
-  ball power(1, 64);
-  for (const ball& one : c) {
-    const rational lower = lower_rational(one);
-    result.coefficients.push_back(lower);
-    error += power * ball(rational(upper_rational(one) - lower), 64);
-    power = power * ball(at.v, 64);
+  ball of_power(g.size, 64);  // a bound of |b_k|
+  for (const std::vector<ball>& of_k : c) {
+    result.coefficients.emplace_back();
+    ball power = of_power;
+    for (const ball& one : of_k) {
+      const rational lower = lower_rational(one);
+      result.coefficients.back().push_back(lower);
+      error += power * ball(rational(upper_rational(one) - lower), 64);
+      power = power * ball(at.v, 64);
+    }
+    of_power = of_power * ball(at.rho, 64);
   }
   result.error = error.magnitude_upper();
   return result;
@@ -285,7 +434,7 @@ folded_factor fold(const decay& g, const setting& at) {
 magnitude left_out(const decay& g, const setting& at) {
   constexpr precision bits = 64;
   const auto k = static_cast<long>(at.count);
-  const rational size = 2 * size_at(g.numerator, 0, at.rho) / abs(g.denominator.front());
+  const rational size = 2 * g.size * size_at(g.numerator, 0, at.rho) / abs(g.denominator.front());
   const ball theta(rational((at.rho + at.v) / at.x), bits);
   const auto e = static_cast<long>(-floor_of(-g.s)) - 1;
   const ball bound = ball(size, bits) * pow(ball(rational((at.rho + at.v) / at.rho), bits), e) *
@@ -351,25 +500,30 @@ std::optional<periodic_tail> periodic_tail_of(const expression& f, const rationa
                                               precision p) {
   const auto sum = f.as_periodic_sum();
   if (!sum) return std::nullopt;
-  const auto decays = decays_of(*sum);
+  const auto v = half_of(sum->period);
+  const auto decays = v ? decays_of(*sum, *v) : std::nullopt;
   if (!decays) return std::nullopt;
-  const auto at = setting_for(*decays, sum->period, from, p);
+  const auto at = setting_for(*decays, sum->period, *v, from, p);
   if (!at) return std::nullopt;
 
   symbol folded = 0;
   const symbol u = symbol::variable(0);
-  const magnitude length = ball(rational(2 * at->v), 64).magnitude_upper();
   magnitude rest;
   auto g = decays->begin();
   for (const auto& term : sum->terms) {
     // f is defined only where the factor is, also where the factor's term is 0.
-    const auto most = bound_over_period(term.factor, at->x, at->v);
-    if (!most) return std::nullopt;
+    const auto size = size_over_period(term.factor, sum->period, at->x, at->v);
+    if (!size) return std::nullopt;
     if (term.numerator.is_zero()) continue;
     const folded_factor own = fold(*g, *at);
     const magnitude error = add_up(own.error, left_out(*g, *at));
-    rest = add_up(rest, multiply_up(multiply_up(*most, error), length));
-    folded = folded + term.factor(at->x + u) * polynomial_at(u, own.coefficients);
+    rest = add_up(rest, multiply_up(*size, error));
+    const std::vector<symbol> b = coefficients_of(term.powers, at->x + u, own.coefficients.size());
+    symbol s = 0;
+    for (std::size_t k = b.size(); k-- > 0;) {
+      s = s + b[k] * polynomial_at(u, own.coefficients[k]);
+    }
+    folded = folded + term.factor(at->x + u) * s;
     ++g;
   }
   expression_names names = f.names();

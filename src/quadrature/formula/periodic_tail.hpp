@@ -21,8 +21,8 @@ struct periodic_tail {
 };
 
 /// The tail of a formula with a periodic sum (expression::as_periodic_sum) whose periodic factors
-/// are bounded and whose other factors decay faster than 1/x, or decay where the periodic ones are
-/// shown to have the mean 0: start >= from, and the rest is about 2^-p beside the size of the
+/// are integrable and whose other factors decay faster than 1/x, or decay where the periodic ones
+/// are shown to have the mean 0: start >= from, and the rest is about 2^-p beside the size of the
 /// terms. None for other formulas.
 [[nodiscard]] std::optional<periodic_tail> periodic_tail_of(const expression& f,
                                                             const rational& from, precision p);

@@ -337,7 +337,7 @@ std::optional<rational> by_symmetry(const expression& f, const end_point& a, con
 
 std::optional<rational> exact_integral(const expression& f, const end_point& a,
                                        const end_point& b) {
-  if (f.variables().size() != 1) return std::nullopt;
+  if (f.variables().size() != 1 || !f.has_defined_constants()) return std::nullopt;
   if (auto value = by_antiderivative(f, a, b)) return value;
   return by_symmetry(f, a, b);
 }

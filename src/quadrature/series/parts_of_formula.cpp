@@ -84,7 +84,8 @@ class parts_of {
 std::optional<std::vector<hyperexponential_integral>> hyperexponential_parts(const formula_graph& f,
                                                                              const end_point& a,
                                                                              const end_point& b) {
-  if (f.has_breaks()) return std::nullopt;
+  constexpr std::size_t most_nodes = 2000;  // the polynomials of longer ones are long, too
+  if (f.has_breaks() || f.size() > most_nodes) return std::nullopt;
   return parts_of(f, a, b).of(f.result());
 }
 
