@@ -230,6 +230,39 @@ TEST_F(ArbFunctions, LieBelowTheirMajorants) {
   EXPECT_LE(at.radius(), magnitude::power_of_two(-180));
 }
 
+TEST_F(ArbFunctions, LieBesideTheirLeadingTermsAtZero) {
+  const precision p = 200;
+  int functions = 0;
+  for (const further_function& f : *arb_functions()) {
+    if (!f.near_zero) continue;
+    SCOPED_TRACE(f.what.name);
+    ++functions;
+    for (support::repeat trial(80); trial.again();) {
+      const int sign = random.one_in(3) ? -1 : 1;
+      const rational nu = random.one_in(2) ? rational(random.between(0, 1)) : order();
+      const rational size =
+          random.one_in(4) ? rational(1, 2) : between(1, 2) / (integer(4) << random.between(0, 90));
+      std::vector<ball> arguments;
+      if (f.arity == 2) arguments.emplace_back(nu, p);
+      const auto near = f.near_zero(arguments, sign);
+      if (!near) continue;
+      const ball x(rational(sign * size), p);
+      arguments.push_back(x);
+      const auto at_x = [&](const std::string& text) {
+        const expression formula(text, {.variables = argument_names(f.what), .definitions = {}});
+        return formula.evaluator<ball>(p)(std::span<const ball>(arguments));
+      };
+      const ball value = f.value(arguments);
+      const ball main = at_x(near->main);
+      EXPECT_EQ(value.is_bounded(), main.is_bounded()) << nu << " " << x;
+      if (!value.is_bounded()) continue;
+      const ball off = abs(value - main);
+      EXPECT_FALSE(certainly_less(at_x(near->rest), off)) << nu << " " << x;
+    }
+  }
+  EXPECT_EQ(functions, 8);
+}
+
 TEST_F(ArbFunctions, TheDilogarithmIsKnownUpToItsBranchPoint) {
   const ball up_to_one = from_end_points(rational(-3), rational(1), 128);
   const ball values = named("dilog").value(std::array{up_to_one});

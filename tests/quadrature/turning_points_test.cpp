@@ -87,6 +87,8 @@ TEST(TurningPoints, OfSpecialFunctions) {
       {"airyAi(x)", "0", "inf", "1/3"},
       {"dilog(x)", "0", "1", "pi^2/6-1"},
       {"dilog(1-x)", "0", "2", "pi^2/6-1+dilog(-1)+2*log(2)-1"},
+      {"besselJ(1/2,x)*sqrt(x)", "0", "pi", "2*sqrt(2/pi)"},
+      {"besselJ(-1/2,x)*sqrt(x)/(1+x^2)", "0", "inf", "sqrt(pi/2)/e"},
       // By Weber's integral.
       {"besselJ(0,x)", "0", "inf", "1"},
       {"besselJ(1,3*x)/x", "0", "inf", "1"},

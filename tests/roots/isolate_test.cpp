@@ -8,6 +8,7 @@
 
 #include "polhode/arithmetic/special_functions.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/expression/library_functions.hpp"
 #include "polhode/expression/parse.hpp"
 #include "polhode/roots/isolate.hpp"
 #include "support/random.hpp"
@@ -493,6 +494,26 @@ TEST(IsolateRoots, BesideASingularPoint) {
   count("x^x - 9/10", 0, 2, 2);
   count("(exp(x) - 1)/x - 1/1000000", -1, 1, 0);
   count("sin(x)/x - 1 + 1/10^4", -1, 1, 2);
+}
+
+TEST(IsolateRoots, OfSpecialFunctionsUpToZero) {
+  if (arb_functions()->empty()) GTEST_SKIP() << "the library was built without Arb";
+  const auto count = [&](const char* text, const end_point& upper, std::size_t roots) {
+    SCOPED_TRACE(text);
+    expect_resolved(isolate_roots(parse(text), 0, upper), roots);
+  };
+  count("digamma(x)", 10, 1);
+  count("expint(1,x) - 1/2", 10, 1);
+  count("Ei(x)", 5, 1);
+  count("Ei(-x) + 3", 5, 1);
+  count("Ci(x)", 10, 4);
+  count("besselK(0,x) - 1", 10, 1);
+  count("besselK(0,x) + log(x)/2 - 1", 10, 2);
+  count("besselK(1,x) - 2/x", 10, 0);
+  count("besselK(1/3,x) - 5", 10, 1);
+  count("besselY(0,x)", 10, 3);
+  count("besselJ(1/2,x)/sqrt(x) - 1", 5, 0);
+  count("besselI(-1/3,x)*x - 1", 5, 1);
 }
 
 TEST(IsolateRoots, WhatWasDividedByVanishesNowhere) {

@@ -76,6 +76,15 @@ struct further_function {
   };
   std::function<std::optional<majorant_formula>(std::span<const ball>, int sign)> majorant =
       nullptr;
+  /// Where f has no value at 0, or is not analytic there: formulas in the names of what.arguments
+  /// with |f - main| <= rest where the last argument x has this sign and 0 < |x| <= 1/2. May be
+  /// empty, or know none.
+  struct leading_formula {
+    std::string main;
+    std::string rest;
+  };
+  std::function<std::optional<leading_formula>(std::span<const ball>, int sign)> near_zero =
+      nullptr;
 };
 using further_functions = std::vector<further_function>;
 

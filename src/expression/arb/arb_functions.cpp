@@ -36,6 +36,7 @@ using detail::arb;
 using detail::arb_number;
 using formula = std::optional<std::string>;
 using majorant = std::optional<further_function::majorant_formula>;
+using leading = std::optional<further_function::leading_formula>;
 
 constexpr precision few_bits = 64;
 
@@ -71,6 +72,8 @@ struct definition {
   ball (*slope_over)(const ball& x) = nullptr;
   /// f over real sets, where more is known of them; nullptr: as over rectangles.
   ball (*over_reals)(const ball& x, precision p) = nullptr;
+  /// f near 0; `order` is nullptr where f has none.
+  leading (*near_zero)(const ball* order, int sign) = nullptr;
 };
 
 // ---------------------------------------------------------------------------------------------
@@ -131,6 +134,11 @@ obstacle left_half_unless_whole(const call& x) {
   return is_whole(*x.order) ? obstacle::none : left_half(x);
 }
 
+leading near_zero(std::string main, std::string rest) {
+  return further_function::leading_formula{std::move(main), std::move(rest)};
+}
+/// Where f is not defined for x < 0: a formula that is not, either.
+leading not_defined() { return near_zero("log(x)", "1"); }
 majorant steady(std::string text) { return further_function::majorant_formula{std::move(text)}; }
 majorant oscillating(std::string text) {
   return further_function::majorant_formula{std::move(text), true};
@@ -207,8 +215,27 @@ bounds bounds_by_schlaefli(const call& x, long tails) {
   return {most.magnitude_upper(), most.magnitude_upper()};
 }
 
+/// For nu >= -1/2 |J_nu(z)| is at most |z/2|^nu e^|Im z|/gamma(nu + 1) (DLMF 10.14.4), and J_nu' =
+/// (nu/z) J_nu - J_(nu+1) (DLMF 10.6.2); of I_nu the same with `growth` = |Re z| in the place of
+/// |Im z|, as I_nu(z) = e^(-+i pi nu/2) J_nu(+-i z) (DLMF 10.27.6).
+bounds bounds_near_zero(const call& x, const ball& growth) {
+  constexpr long most = 200;
+  const ball nu = x.order->with_precision(few_bits);
+  if (!(most_of(nu) <= most) || !certainly_less_equal(ball(-1, few_bits), 2 * nu)) return {};
+  const ball size = abs(x.z).with_precision(few_bits);
+  const auto bound = [&](const ball& order) {
+    return pow(size / 2, order) * exp(growth) / gamma(order + 1);
+  };
+  const ball slope = abs(nu) / size * bound(nu) + bound(nu + 1);
+  if (!slope.is_bounded()) return {};
+  return {bound(nu).magnitude_upper(), slope.magnitude_upper()};
+}
+bounds lesser(const bounds& x, const bounds& y) {
+  return {std::min(x.size, y.size), std::min(x.slope, y.slope)};
+}
 bounds bounds_of_j(const call& x) {
-  return is_whole(*x.order) ? bounds_of_whole(x, greatest_size(x.z.im)) : bounds_by_schlaefli(x, 1);
+  if (is_whole(*x.order)) return bounds_of_whole(x, greatest_size(x.z.im));
+  return lesser(bounds_near_zero(x, greatest_size(x.z.im)), bounds_by_schlaefli(x, 1));
 }
 bounds bounds_of_y(const call& x) { return bounds_by_schlaefli(x, 2); }
 
@@ -249,7 +276,7 @@ bounds bounds_of_i(const call& x) {
   const auto sum = [&](const magnitude& tail) {
     return (exp(growth) + 2 * upper_of(tail) / pi(few_bits)).magnitude_upper();
   };
-  return {sum(k.size), sum(k.slope)};
+  return lesser(bounds_near_zero(x, growth), {sum(k.size), sum(k.slope)});
 }
 
 /// integral_of_tail as a formula in x.
@@ -300,6 +327,45 @@ majorant majorant_of_k(const ball* order, int sign) {
   return steady(fmt::format("sqrt(pi/(2*x))*exp(-x)*({})", sum));
 }
 
+// Near 0, for 0 < x <= 1/2.
+//
+// For nu > -1 J_nu(x), and I_nu(x), is (x/2)^nu/gamma(nu + 1) times the sum of the (-+x^2/4)^k/(k!
+// (nu + 1) ... (nu + k)) (DLMF 10.2.2, 10.25.2): of that the terms with k >= 1 are at most
+// (x^2/4)/(nu + 1) times the sum of the 16^-k/k! over k >= 0, which is at most 2.
+//
+// For nu > 0 K_nu(x) is half of the integral of t^(nu-1) e^(-x t/2) e^(-x/(2 t)) over t > 0 (DLMF
+// 10.32.9, at e^t). With 1 in the place of the last factor it is gamma(nu) (x/2)^-nu/2; and
+// 1 - e^-w is at most min(1, w) <= w^d for w = x/(2 t) and 0 <= d <= 1, so that the rest is at most
+// half of (x/2)^d gamma(nu - d) (x/2)^(d-nu) for d < nu.
+//
+// K_0(x) + (log(x/2) + gamma) I_0(x) and (pi/2) Y_0(x) - (log(x/2) + gamma) J_0(x) are the sums of
+// +-(1 + 1/2 + ... + 1/k) (x^2/4)^k/k!^2 over k >= 1 (DLMF 10.31.2, 10.8.2), in size at most
+// x^2/3 <= 1/12. J_0 and I_0 are 1 but for at most x^2/2, and x^2 |log x| <= x/e < 1/5 and
+// |gamma - log 2| < 1/8: K_0(x) + log x, and (pi/2) Y_0(x) - log x, are at most
+// 1/8 + (1/5 + 1/32)/2 + 1/12 < 1/3 in size.
+leading leading_of_j(const ball* order, int sign) {
+  if (sign < 0) return is_whole(*order) ? std::nullopt : not_defined();
+  if (!certainly_less(ball(-1, few_bits), *order)) return std::nullopt;
+  return near_zero("(x/2)^nu/gamma(1+nu)", "(x/2)^nu*x^2/(2*gamma(2+nu))");
+}
+leading leading_of_k(const ball* order, int sign) {
+  if (sign < 0) return not_defined();
+  if (sign_of(*order) == certain_sign::zero) return near_zero("-log(x)", "1/3");
+  const std::string size = certainly_negative(*order) ? "(-nu)" : "nu";
+  const ball nu = abs(*order);
+  const std::string main = fmt::format("gamma({0})/2*(x/2)^(-{0})", size);
+  if (certainly_less(ball(1, few_bits), nu)) {  // with d = 1/2
+    return near_zero(main, fmt::format("gamma({0}-1/2)/2*(x/2)^(1-{0})", size));
+  }
+  if (!certainly_positive(nu) || !certainly_less(nu, ball(2, few_bits))) return std::nullopt;
+  return near_zero(main, fmt::format("gamma({}/2)/2", size));  // with d = nu/2
+}
+leading leading_of_y(const ball* order, int sign) {
+  if (sign < 0) return not_defined();
+  if (sign_of(*order) != certain_sign::zero) return std::nullopt;
+  return near_zero("2/pi*log(x)", "2/(3*pi)");
+}
+
 bool is_number(const std::optional<pi_combination>& x) { return x && x->is_rational(); }
 bool is_exactly(const std::optional<pi_combination>& x, long n) {
   return is_number(x) && x->q == n;
@@ -327,7 +393,10 @@ std::vector<definition> bessel_functions() {
            "(besselJ(nu-1,x)-besselJ(nu+1,x))/2",
            may_be_defined_at,
            value_at_zero,
-           majorant_of_j},
+           majorant_of_j,
+           nullptr,
+           nullptr,
+           leading_of_j},
           {{"besselY", "nu, x", "Bessel, of the second kind", "x > 0"},
            true,
            value_of_y,
@@ -336,7 +405,10 @@ std::vector<definition> bessel_functions() {
            "(besselY(nu-1,x)-besselY(nu+1,x))/2",
            last_is_positive,
            nullptr,
-           majorant_of_y},
+           majorant_of_y,
+           nullptr,
+           nullptr,
+           leading_of_y},
           {{"besselI", "nu, x", "modified Bessel, first kind", domain},
            true,
            value_of_i,
@@ -345,7 +417,10 @@ std::vector<definition> bessel_functions() {
            "(besselI(nu-1,x)+besselI(nu+1,x))/2",
            may_be_defined_at,
            value_at_zero,
-           majorant_of_i},
+           majorant_of_i,
+           nullptr,
+           nullptr,
+           leading_of_j},
           {{"besselK", "nu, x", "modified Bessel, second kind", "x > 0"},
            true,
            value_of_k,
@@ -354,7 +429,10 @@ std::vector<definition> bessel_functions() {
            "-(besselK(nu-1,x)+besselK(nu+1,x))/2",
            last_is_positive,
            nullptr,
-           majorant_of_k}};
+           majorant_of_k,
+           nullptr,
+           nullptr,
+           leading_of_k}};
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -504,6 +582,22 @@ majorant majorant_of_ei(const ball*, int sign) {
   return steady(sign < 0 ? "8*exp(x)*(-x)^(-1/8)" : "11*exp(x)*(1+1/x)^(1/8)");
 }
 
+// For 0 < x <= 1/2 E_1(x) is -log x - gamma and the integral of (1 - e^-t)/t <= 1 over 0 < t < x;
+// Ei(x) is gamma + log x and that of (e^t - 1)/t <= e^t, which is at most sqrt(e)/2 < 9/10; Ci(x)
+// is gamma + log x less that of (1 - cos t)/t <= t/2 (DLMF 6.2.4, 6.2.7, 6.2.13); and 1/2 < gamma <
+// 3/5.
+leading leading_of_expint(const ball* order, int sign) {
+  if (sign < 0) return not_defined();
+  if (!order->is_exact() || lower_rational(*order) != 1) return std::nullopt;
+  return near_zero("-log(x)", "3/5");
+}
+leading leading_of_ei(const ball*, int sign) {
+  return sign > 0 ? near_zero("log(x)", "3/2") : near_zero("log(-x)", "3/5");
+}
+leading leading_of_ci(const ball*, int sign) {
+  return sign > 0 ? near_zero("log(x)", "3/5") : not_defined();
+}
+
 std::vector<definition> exponential_integrals() {
   const auto is_not_zero = [](known_arguments x) { return !is_exactly(x[0], 0); };
   const auto zero_at_zero = [](known_arguments x) {
@@ -518,7 +612,10 @@ std::vector<definition> exponential_integrals() {
        "-expint(n-1,x)",
        last_is_positive,
        nullptr,
-       majorant_of_expint},
+       majorant_of_expint,
+       nullptr,
+       nullptr,
+       leading_of_expint},
       {{"Ei", "x", "exponential integral", "x != 0"},
        false,
        value_of_ei,
@@ -527,7 +624,10 @@ std::vector<definition> exponential_integrals() {
        "exp(x)/x",
        is_not_zero,
        nullptr,
-       majorant_of_ei},
+       majorant_of_ei,
+       nullptr,
+       nullptr,
+       leading_of_ei},
       {{"Si", "x", "sine integral", "all x"},
        false,
        value_of_si,
@@ -546,7 +646,10 @@ std::vector<definition> exponential_integrals() {
        "cos(x)/x",
        last_is_positive,
        nullptr,
-       [](const ball*, int sign) { return sign > 0 ? oscillating("8*x^(-1/8)") : std::nullopt; }}};
+       [](const ball*, int sign) { return sign > 0 ? oscillating("8*x^(-1/8)") : std::nullopt; },
+       nullptr,
+       nullptr,
+       leading_of_ci}};
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -577,6 +680,9 @@ further_function digamma_function() {
     if (sign < 0) return std::nullopt;
     return steady("log(1+x)+2/x");
   };
+  // psi(x) = psi(1 + x) - 1/x, and psi increases from psi(1/2) > -2 to psi(3/2) < 1 (DLMF 5.4.13,
+  // 5.5.2).
+  result.near_zero = [](std::span<const ball>, int) { return near_zero("-1/x", "2"); };
   return result;
 }
 
@@ -750,6 +856,11 @@ further_function function_of(const definition& f) {
   result.over_regions = [&f](std::span<const region> x) { return over_region(f, x); };
   result.may_be_defined = f.may_be_defined;
   result.simpler = f.simpler;
+  if (f.near_zero != nullptr) {
+    result.near_zero = [&f](std::span<const ball> orders, int sign) {
+      return f.near_zero(f.has_order ? &orders[0] : nullptr, sign);
+    };
+  }
   if (f.bound != nullptr) {
     result.majorant = [&f](std::span<const ball> orders, int sign) -> majorant {
       if (!f.has_order) return f.bound(nullptr, sign);

@@ -27,25 +27,44 @@ struct series_supplement {
   }
 };
 
-/// f(x) over a kind of series, by its majorant: a function with values in [-1, 1] times that. None
-/// where f has no majorant. `others` are the values of the arguments.
+/// A formula in these names over a kind of series.
+template <class Series>
+Series formula_over(const std::string& text, std::vector<std::string> names,
+                    const std::vector<Series>& x) {
+  constexpr precision p = 192;
+  const expression formula(text, {.variables = std::move(names), .definitions = {}});
+  return formula.evaluator<Series>(p)(std::span<const Series>(x));
+}
+
+/// f(x) over a kind of series, by its leading term near 0 or its majorant: a function with values
+/// in [-1, 1] times what bounds the rest. None where f has none. `others` are the values of the
+/// arguments.
 template <class Series, class F, class Range>
 std::optional<Series> by_majorant(const F& f, const Range& x, std::vector<ball> others) {
   if constexpr (requires { f.majorant; }) {
     const Series& last = x.back();
     const int sign = last.sign();
-    if (!f.majorant || last.is_blocked() || sign == 0) return std::nullopt;
+    if (last.is_blocked() || sign == 0) return std::nullopt;
+    const ball value = others.back();
     others.pop_back();
-    const auto known = f.majorant(others, sign);
-    if (!known) return std::nullopt;
-    const expression formula(known->text, {.variables = {"x"}, .definitions = {}});
-    constexpr precision p = 192;
-    const Series bound = formula.evaluator<Series>(p)(last);
-    if (bound.is_blocked()) return std::nullopt;
-    const ball one(1, p);
-    Series result = bound * last.bounded_like(name_of_function(f), hull(-one, one));
+    const ball one(1, value.precision());
+    const auto at_most = [&](const Series& bound) -> std::optional<Series> {
+      if (bound.is_blocked()) return std::nullopt;
+      return bound * last.bounded_like(name_of_function(f), hull(-one, one));
+    };
+    if (f.near_zero && certainly_less_equal(2 * abs(value), one)) {
+      if (const auto near = f.near_zero(others, sign)) {
+        const std::vector<Series> all(x.begin(), x.end());
+        const auto names = argument_names(f.what);
+        const auto rest = at_most(formula_over(near->rest, names, all));
+        if (rest) return formula_over(near->main, names, all) + *rest;
+      }
+    }
+    const auto known = f.majorant ? f.majorant(others, sign) : std::nullopt;
+    auto result =
+        known ? at_most(formula_over(known->text, {"x"}, std::vector<Series>{last})) : std::nullopt;
     if constexpr (std::same_as<Series, growth_bound>) {
-      if (known->oscillates) return result.oscillating_as(last);
+      if (result && known->oscillates) return result->oscillating_as(last);
     }
     return result;
   } else {
