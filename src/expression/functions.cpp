@@ -4,6 +4,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "calls.hpp"
 #include "graph.hpp"
 #include "polhode/expression/function_table.hpp"
 
@@ -246,10 +247,14 @@ node_id log_gamma_of(graph& g, const operands& x) {
   return g.make(operation::log_gamma, x[0]);
 }
 
+/// Of other numbers than whole ones a further function, where there is one of this name.
 node_id zeta_of(graph& g, const operands& x) {
   const rational* q = g.value(x[0]);
   if (q == nullptr || denominator(*q) != 1 || *q < 2 ||
       *q > rational(std::numeric_limits<long>::max())) {
+    if (const auto* const f = find_further(g.further().get(), "zeta", 1)) {
+      return call_further(g, *f, {x[0]});
+    }
     throw undefined_operation("zeta is available at whole numbers from 2");
   }
   return g.make(operation::zeta, 0, 0, mpz_get_si(numerator(*q).backend().data()));

@@ -12,6 +12,7 @@
 #include <boost/math/special_functions/digamma.hpp>
 #include <boost/math/special_functions/expint.hpp>
 #include <boost/math/special_functions/lambert_w.hpp>
+#include <boost/math/special_functions/zeta.hpp>
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/interval.hpp"
@@ -89,6 +90,8 @@ TEST_F(ArbFunctions, HaveTheValuesOfBoost) {
            "E_3 " + at);
     expect(of_one("lambertW"), boost::math::lambert_w0(t), "W " + at);
     expect(of_one("digamma"), boost::math::digamma(t), "digamma " + at);
+    expect(of_one("zeta"), boost::math::zeta(t), "zeta " + at);
+    expect(named("zeta").value(std::array{-b}), boost::math::zeta(-t), "zeta -" + at);
   }
 }
 
@@ -114,6 +117,12 @@ TEST_F(ArbFunctions, AreTiedByIdentities) {
     EXPECT_TRUE(contains_zero(g("dilog", u) + g("dilog", 1 - u) + log(u) * log(1 - u) -
                               square(pi(200)) / 6));
     EXPECT_TRUE(contains_zero(g("digamma", x + 1) - g("digamma", x) - 1 / x));
+    // The sums over even and odd k; Riemann's functional equation (DLMF 25.4.1).
+    EXPECT_TRUE(contains_zero(f("polylog", n, u) + f("polylog", n, -u) -
+                              pow(ball(2, 200), 1 - n) * f("polylog", n, square(u))));
+    EXPECT_TRUE(contains_zero(f("polylog", ball(2, 200), -x) - g("dilog", -x)));
+    EXPECT_TRUE(contains_zero(g("zeta", 1 - u) - 2 * pow(2 * pi(200), -u) * cos(pi(200) * u / 2) *
+                                                     gamma(u) * g("zeta", u)));
   }
   // With all digits.
   EXPECT_LE(value("besselJ(2, 3/7)", 1000).radius(), magnitude::power_of_two(-990));
@@ -260,7 +269,7 @@ TEST_F(ArbFunctions, LieBesideTheirLeadingTermsAtZero) {
       EXPECT_FALSE(certainly_less(at_x(near->rest), off)) << nu << " " << x;
     }
   }
-  EXPECT_EQ(functions, 8);
+  EXPECT_EQ(functions, 10);
 }
 
 TEST_F(ArbFunctions, TheDilogarithmIsKnownUpToItsBranchPoint) {

@@ -89,6 +89,9 @@ TEST(TurningPoints, OfSpecialFunctions) {
       {"dilog(1-x)", "0", "2", "pi^2/6-1+dilog(-1)+2*log(2)-1"},
       {"besselJ(1/2,x)*sqrt(x)", "0", "pi", "2*sqrt(2/pi)"},
       {"besselJ(-1/2,x)*sqrt(x)/(1+x^2)", "0", "inf", "sqrt(pi/2)/e"},
+      {"polylog(2,x)/x", "0", "1", "zeta(3)"},
+      {"x^2*polylog(3,exp(-x))", "0", "inf", "2*zeta(6)"},
+      {"polylog(5/2,-exp(-x))", "0", "inf", "polylog(7/2,-1)"},
       // By Weber's integral.
       {"besselJ(0,x)", "0", "inf", "1"},
       {"besselJ(1,3*x)/x", "0", "inf", "1"},

@@ -512,8 +512,18 @@ TEST(IsolateRoots, OfSpecialFunctionsUpToZero) {
   count("besselK(1,x) - 2/x", 10, 0);
   count("besselK(1/3,x) - 5", 10, 1);
   count("besselY(0,x)", 10, 3);
+  count("polylog(3,-x) + x/2", 10, 1);
   count("besselJ(1/2,x)/sqrt(x) - 1", 5, 0);
   count("besselI(-1/3,x)*x - 1", 5, 1);
+}
+
+TEST(IsolateRoots, OfZetaAreTheTrivialOnes) {
+  if (arb_functions()->empty()) GTEST_SKIP() << "the library was built without Arb";
+  const root_set s = isolate_roots(parse("zeta(x)"), -9, rational(1, 2));
+  expect_resolved(s, 4);
+  for (std::size_t k = 0; k < s.regions.size(); ++k) {
+    EXPECT_TRUE(contains(s.regions[k].enclosure, 2 * static_cast<long>(k) - 8));
+  }
 }
 
 TEST(IsolateRoots, WhatWasDividedByVanishesNowhere) {

@@ -69,9 +69,9 @@ struct definition {
   /// Of |f(x)| for x > 0, or for x < 0 where sign is -1; `order` is nullptr where f has none.
   majorant (*bound)(const ball* order, int sign) = nullptr;
   /// f' over real sets, where the formula does not have it; nullptr: it has.
-  ball (*slope_over)(const ball& x) = nullptr;
+  ball (*slope_over)(const ball* order, const ball& x) = nullptr;
   /// f over real sets, where more is known of them; nullptr: as over rectangles.
-  ball (*over_reals)(const ball& x, precision p) = nullptr;
+  ball (*over_reals)(const ball* order, const ball& x, precision p) = nullptr;
   /// f near 0; `order` is nullptr where f has none.
   leading (*near_zero)(const ball* order, int sign) = nullptr;
 };
@@ -552,7 +552,7 @@ bounds bounds_of_ei(const call& x) {
 
 /// sin(z)/z is the integral of cos(z t) over 0 < t < 1, and so at most e^|Im z|.
 void value_of_si(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) { arb().acb_hypgeom_si(r, z, p); }
-ball slope_of_si(const ball& x) {
+ball slope_of_si(const ball*, const ball& x) {
   const ball quotient = sin(x) / x;
   return quotient.is_bounded() ? quotient : hull(ball(-1, x.precision()), ball(1, x.precision()));
 }
@@ -708,18 +708,105 @@ obstacle cut_of_dilog(const call& x) {
   return is_off ? obstacle::none : obstacle::branch_cut;
 }
 
-/// It increases up to x = 1, where it is continuous: its slope is -log(1 - x)/x > 0.
-ball dilog_over(const ball& x, precision p) {
+/// Over real numbers up to 1 of a function that increases up to there, and is continuous at 1.
+ball between_values(const definition& f, const ball* order, const ball& x, precision p) {
   detail::mpfr_cell end(p + 64);
-  const definition& f = named("dilog");
-  ball result = ball::undefined(p);
   x.upper(end.get());
   const ball upper(end.get());
-  if (!certainly_less_equal(upper, ball(1, 2)) || !x.is_bounded()) return result;
+  if (!certainly_less_equal(upper, ball(1, 2)) || !x.is_bounded()) return ball::undefined(p);
   x.lower(end.get());
-  result = hull(value_of(f, {nullptr, complex_ball(ball(end.get()))}, p).re,
-                value_of(f, {nullptr, complex_ball(upper)}, p).re);
-  return result;
+  return hull(value_of(f, {order, complex_ball(ball(end.get()))}, p).re,
+              value_of(f, {order, complex_ball(upper)}, p).re);
+}
+/// Its slope is -log(1 - x)/x > 0.
+ball dilog_over(const ball*, const ball& x, precision p) {
+  return between_values(named("dilog"), nullptr, x, p);
+}
+
+// For s > 0 and z off [1, inf) Li_s(z)/z is the integral of t^(s-1)/(e^t - z) over t > 0, over
+// gamma(s) (DLMF 25.12.11). Where Re z <= x < 1, |e^t - z| >= e^t - x: so |Li_s(z)/z| <= Li_s(x)/x,
+// which increases with x, and is 1 at 0; and Li_s'(z) = Li_(s-1)(z)/z (DLMF 25.12.10).
+void value_of_polylog(acb_ptr r, acb_srcptr order, acb_srcptr z, slong p) {
+  arb().acb_polylog(r, order, z, p);
+}
+bounds bounds_of_polylog(const call& x) {
+  const rational least(1, 1024);
+  detail::mpfr_cell upper(few_bits);
+  x.z.re.upper(upper.get());
+  const ball most = ball(upper.get());
+  if (!certainly_less(ball(1, few_bits), *x.order) || !certainly_less(most, ball(1, few_bits))) {
+    return {};
+  }
+  const ball at = certainly_less(ball(least, few_bits), most) ? most : ball(least, few_bits);
+  const auto quotient = [&](const ball& order) {
+    return value_of(named("polylog"), {&order, complex_ball(at)}, few_bits).re / at;
+  };
+  return {multiply_up(x.z.magnitude_upper(), quotient(*x.order).magnitude_upper()),
+          quotient(*x.order - 1).magnitude_upper()};
+}
+/// Li_(s-1)(x)/x, which for s > 1 increases with x < 1.
+ball slope_of_polylog(const ball* order, const ball& x) {
+  const precision p = x.precision();
+  const ball less = *order - 1;
+  const auto quotient = [&](const ball& at) {
+    if (sign_of(at) == certain_sign::zero) return ball(1, p);
+    return value_or_undefined(named("polylog"), {&less, complex_ball(at)}, p).re / at;
+  };
+  if (!certainly_positive(less) || !x.is_bounded()) return quotient(x);
+  detail::mpfr_cell lower(p);
+  detail::mpfr_cell upper(p);
+  x.lower(lower.get());
+  x.upper(upper.get());
+  return hull(quotient(ball(lower.get())), quotient(ball(upper.get())));
+}
+/// For s >= 0 and |x| <= 1/2 the terms with k >= 2 are at most the sum of the |x|^k, 2 |x|^2.
+leading leading_of_polylog(const ball* order, int) {
+  const bool is_known = order == nullptr || certainly_less_equal(ball(0, few_bits), *order);
+  return is_known ? near_zero("x", "2*x^2") : std::nullopt;
+}
+/// For s > 1 it increases up to x = 1, where it is continuous.
+ball polylog_over(const ball* order, const ball& x, precision p) {
+  const definition& f = named("polylog");
+  if (certainly_less(x, ball(1, few_bits)) || !certainly_less(ball(1, few_bits), *order)) {
+    const call at{order, complex_ball(x)};
+    return value_or_undefined(f, at, p).re;
+  }
+  return between_values(f, order, x, p);
+}
+
+// For Re z = x > 0 zeta(z) = z/(z - 1) - z times the integral of {t} t^(-z-1) over t > 1 (DLMF
+// 25.2.8), and that of t^(-x-1) log(t)^k is k!/x^(k+1): so |zeta| is at most |z/(z - 1)| + |z|/x,
+// |zeta'| at most |z - 1|^-2 + 1/x + |z|/x^2, and |zeta''| at most 2 |z - 1|^-3 + 2/x^2 + 2 |z|/x^3.
+void value_of_zeta(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) { arb().acb_zeta(r, z, p); }
+obstacle pole_of_zeta(const call& x) {
+  return contains_zero(x.z.re - 1) && contains_zero(x.z.im) ? obstacle::pole : obstacle::none;
+}
+bounds bounds_of_zeta(const call& x) {
+  const ball least = least_of(x.z.re);
+  if (!certainly_positive(least)) return {};
+  const ball z = upper_of(x.z.magnitude_upper());
+  const ball distance = abs(x.z - 1).with_precision(few_bits);
+  const ball size = z / distance + z / least;
+  const ball slope = 1 / square(distance) + 1 / least + z / square(least);
+  if (!slope.is_bounded()) return {};
+  return {size.magnitude_upper(), slope.magnitude_upper()};
+}
+ball derivative_of_zeta(const ball& x) {
+  const arb_number at{complex_ball(x)};
+  detail::arb_jet jet;
+  arb().acb_dirichlet_zeta_jet(jet.get(), at.get(), 0, 2, x.precision() + 32);
+  return jet.derivative(x.precision()).re;
+}
+/// zeta' over a set of real numbers.
+ball slope_of_zeta(const ball*, const ball& x) {
+  const ball least = least_of(x);
+  if (x.is_exact() || !certainly_positive(least)) return derivative_of_zeta(x);
+  const ball distance = abs(x - 1).with_precision(few_bits);
+  const ball curvature =
+      2 / pow(distance, 3) + 2 / square(least) + 2 * upper_of(x.magnitude_upper()) / pow(least, 3);
+  if (!curvature.is_bounded()) return ball::undefined(x.precision());
+  return derivative_of_zeta(x.middle())
+      .enlarged(multiply_up(x.radius(), curvature.magnitude_upper()));
 }
 
 std::vector<definition> other_functions() {
@@ -747,7 +834,45 @@ std::vector<definition> other_functions() {
            },
            nullptr,
            nullptr,
-           dilog_over}};
+           dilog_over,
+           leading_of_polylog},
+          {{"polylog", "s, x", "polylogarithm, sum of x^k/k^s", "x < 1; x = 1 where s > 1"},
+           true,
+           value_of_polylog,
+           cut_of_dilog,
+           bounds_of_polylog,
+           "polylog(s-1,x)/x",
+           [](known_arguments x) {
+             return !is_number(x[1]) || x[1]->q < 1 ||
+                    (x[1]->q == 1 && (!is_number(x[0]) || x[0]->q > 1));
+           },
+           [](known_arguments x) -> formula {
+             if (is_exactly(x[1], 0)) return "0";
+             if (is_exactly(x[1], 1)) return "zeta(s)";
+             if (is_exactly(x[0], 0)) return "x/(1-x)";
+             if (is_exactly(x[0], 1)) return "-log(1-x)";
+             return is_exactly(x[0], 2) ? formula("dilog(x)") : std::nullopt;
+           },
+           // |Li_s(x)/x| <= 1 for x < 0.
+           [](const ball* order, int sign) -> majorant {
+             const bool is_known = sign < 0 && certainly_positive(*order);
+             return is_known ? steady("-x") : std::nullopt;
+           },
+           slope_of_polylog,
+           polylog_over,
+           leading_of_polylog},
+          {{"zeta", "s", "Riemann's zeta function", "s != 1"},
+           false,
+           value_of_zeta,
+           pole_of_zeta,
+           bounds_of_zeta,
+           "",
+           [](known_arguments x) { return !is_exactly(x[0], 1); },
+           nullptr,
+           [](const ball*, int sign) -> majorant {
+             return sign > 0 ? steady("1+x/abs(x-1)") : std::nullopt;
+           },
+           slope_of_zeta}};
 }
 
 const std::vector<definition>& all() {
@@ -811,14 +936,17 @@ class gradient_by_formula {
   explicit gradient_by_formula(const definition& f) : f_(f), slope_(std::make_shared<once>()) {}
 
   std::vector<ball> operator()(std::span<const ball> x) const {
-    if (f_.slope_over != nullptr) return {f_.slope_over(x[0])};
+    precision p = few_bits;
+    for (const ball& t : x) p = std::max(p, t.precision());
+    std::vector<ball> gradient(x.size(), ball::undefined(p));
+    if (f_.slope_over != nullptr) {
+      gradient.back() = f_.slope_over(f_.has_order ? &x[0] : nullptr, x.back());
+      return gradient;
+    }
     std::call_once(slope_->flag, [this] {
       slope_->formula.emplace(f_.slope,
                               expression_names{argument_names(f_.what), {}, library_functions()});
     });
-    precision p = few_bits;
-    for (const ball& t : x) p = std::max(p, t.precision());
-    std::vector<ball> gradient(x.size(), ball::undefined(p));
     gradient.back() = slope_->formula->evaluator<ball>(p)(std::vector<ball>(x.begin(), x.end()));
     return gradient;
   }
@@ -845,7 +973,9 @@ further_function function_of(const definition& f) {
     return then(at, p);
   };
   result.value = [&f, at_sets](std::span<const ball> x) {
-    if (f.over_reals != nullptr) return f.over_reals(x[0], x[0].precision());
+    if (f.over_reals != nullptr) {
+      return f.over_reals(f.has_order ? &x[0] : nullptr, x.back(), x.back().precision());
+    }
     return at_sets(x, [&](const call& at, precision p) { return value_or_undefined(f, at, p); }).re;
   };
   result.over_complex = [&f, at_sets](std::span<const complex_ball> x) {

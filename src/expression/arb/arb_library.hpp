@@ -4,6 +4,7 @@
 // milliseconds. Compiled only where Arb's headers are found.
 
 #include <acb.h>
+#include <acb_dirichlet.h>
 #include <acb_hypgeom.h>
 
 namespace polhode::detail {
@@ -14,8 +15,9 @@ namespace polhode::detail {
   X(acb_hypgeom_bessel_j) X(acb_hypgeom_bessel_k) X(acb_hypgeom_bessel_k_scaled) \
   X(acb_hypgeom_bessel_y) X(acb_hypgeom_ci) \
   X(acb_hypgeom_dilog) X(acb_hypgeom_ei) X(acb_hypgeom_expint) X(acb_hypgeom_si) \
-  X(acb_lambertw) X(acb_polygamma) X(arb_indeterminate) X(arb_is_finite) X(arb_is_positive) \
-  X(arb_neg) X(arf_get_mpfr) X(arf_set_mpfr) X(flint_cleanup) X(mag_set_ui_2exp_si)
+  X(acb_dirichlet_zeta_jet) X(acb_lambertw) X(acb_polygamma) X(acb_polylog) X(acb_zeta) \
+  X(arb_indeterminate) X(arb_is_finite) X(arb_is_positive) X(arb_neg) \
+  X(arf_get_mpfr) X(arf_set_mpfr) X(flint_cleanup) X(mag_set_ui_2exp_si)
 // clang-format on
 
 /// Its functions, by their own names.

@@ -69,8 +69,8 @@ arb_number::arb_number(const complex_ball& z) : arb_number() {
   set(acb_imagref(z_), z.im);
 }
 
-complex_ball arb_number::to_complex_ball(precision p) const {
-  return {to_ball(acb_realref(z_), p), to_ball(acb_imagref(z_), p)};
+complex_ball to_complex_ball(acb_srcptr z, precision p) {
+  return {to_ball(acb_realref(z), p), to_ball(acb_imagref(z), p)};
 }
 
 }  // namespace polhode::detail

@@ -36,35 +36,45 @@ Series formula_over(const std::string& text, std::vector<std::string> names,
   return formula.evaluator<Series>(p)(std::span<const Series>(x));
 }
 
-/// f(x) over a kind of series, by its leading term near 0 or its majorant: a function with values
-/// in [-1, 1] times what bounds the rest. None where f has none. `others` are the values of the
-/// arguments.
-template <class Series, class F, class Range>
-std::optional<Series> by_majorant(const F& f, const Range& x, std::vector<ball> others) {
+/// A function of size at most `bound`, which is a series in these arguments.
+template <class Series, class F>
+std::optional<Series> of_size(const F& f, const Series& bound) {
+  if (bound.is_blocked()) return std::nullopt;
+  constexpr precision p = 192;
+  return bound * bound.bounded_like(name_of_function(f), hull(ball(-1, p), ball(1, p)));
+}
+
+/// f(x) over a kind of series where the last argument tends to 0, by f's leading term. None where f
+/// has none.
+template <class Series, class F>
+std::optional<Series> by_leading_term(const F& f, const std::vector<Series>& x,
+                                      const std::vector<ball>& values) {
+  if constexpr (requires { f.near_zero; }) {
+    const int sign = x.back().sign();
+    const bool is_near =
+        contains_zero(values.back()) && certainly_less_equal(2 * abs(values.back()), ball(1, 64));
+    if (!f.near_zero || !is_near || sign == 0) return std::nullopt;
+    const auto near = f.near_zero(std::span(values).first(values.size() - 1), sign);
+    if (!near) return std::nullopt;
+    const auto names = argument_names(f.what);
+    const auto rest = of_size(f, formula_over(near->rest, names, x));
+    return rest ? std::optional(formula_over(near->main, names, x) + *rest) : std::nullopt;
+  } else {
+    return std::nullopt;
+  }
+}
+
+/// f(x) by its majorant. None where f has none.
+template <class Series, class F>
+std::optional<Series> by_majorant(const F& f, const Series& x, const std::vector<ball>& values) {
   if constexpr (requires { f.majorant; }) {
-    const Series& last = x.back();
-    const int sign = last.sign();
-    if (last.is_blocked() || sign == 0) return std::nullopt;
-    const ball value = others.back();
-    others.pop_back();
-    const ball one(1, value.precision());
-    const auto at_most = [&](const Series& bound) -> std::optional<Series> {
-      if (bound.is_blocked()) return std::nullopt;
-      return bound * last.bounded_like(name_of_function(f), hull(-one, one));
-    };
-    if (f.near_zero && certainly_less_equal(2 * abs(value), one)) {
-      if (const auto near = f.near_zero(others, sign)) {
-        const std::vector<Series> all(x.begin(), x.end());
-        const auto names = argument_names(f.what);
-        const auto rest = at_most(formula_over(near->rest, names, all));
-        if (rest) return formula_over(near->main, names, all) + *rest;
-      }
-    }
-    const auto known = f.majorant ? f.majorant(others, sign) : std::nullopt;
-    auto result =
-        known ? at_most(formula_over(known->text, {"x"}, std::vector<Series>{last})) : std::nullopt;
+    const int sign = x.sign();
+    if (!f.majorant || sign == 0) return std::nullopt;
+    const auto known = f.majorant(std::span(values).first(values.size() - 1), sign);
+    if (!known) return std::nullopt;
+    auto result = of_size(f, formula_over(known->text, {"x"}, std::vector<Series>{x}));
     if constexpr (std::same_as<Series, growth_bound>) {
-      if (result && known->oscillates) return result->oscillating_as(last);
+      if (result && known->oscillates) return result->oscillating_as(x);
     }
     return result;
   } else {
@@ -72,15 +82,17 @@ std::optional<Series> by_majorant(const F& f, const Range& x, std::vector<ball> 
   }
 }
 
-/// f(x) by its values over those of x, where they are bounded; else by its majorant.
+/// f(x), of which no argument is blocked, by its leading term; else by its values over those of x,
+/// where they are bounded; else by its majorant.
 template <class Series, class F, class Range>
-Series of_values(const F& f, const Range& x, const std::vector<ball>& values) {
-  const Series& any = x.front();
+Series of_values(const F& f, const Range& arguments, const std::vector<ball>& values) {
+  const std::vector<Series> x(arguments.begin(), arguments.end());
+  if (auto result = by_leading_term(f, x, values)) return *std::move(result);
   const ball value = f.value(values);
   if (!value.is_bounded()) {
-    if (auto result = by_majorant<Series>(f, x, values)) return *std::move(result);
+    if (auto result = by_majorant(f, x.back(), values)) return *std::move(result);
   }
-  return any.bounded_like(name_of_function(f), value);
+  return x.front().bounded_like(name_of_function(f), value);
 }
 
 template <>
