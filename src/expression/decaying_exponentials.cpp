@@ -6,7 +6,8 @@
 //
 //   1/(u w) = v/w,   1/(u/w) = v/(1/w),   1/u^n = v^n,   1/(u + w) = v/(1 + w v):
 //
-// these have values only where the left sides have.
+// these have values only where the left sides have. Where w grows, too, w v is v/(1/w) with the
+// reciprocal that is followed, u being what seems to grow faster.
 
 #include <cstdlib>
 #include <optional>
@@ -103,13 +104,12 @@ class rewriting {
         }
         break;
       }
-      case operation::add:
-        if (x && !y) inverses_[i] = inverse_of_sum(*x, values_[n.right]);
-        if (y && !x) inverses_[i] = inverse_of_sum(*y, values_[n.left]);
+      case operation::power:
+        inverses_[i] = inverse_of_power(n);
         break;
+      case operation::add:
       case operation::subtract:
-        if (x && !y) inverses_[i] = inverse_of_sum(*x, negate(g_, values_[n.right]));
-        if (y && !x) inverses_[i] = negate(g_, inverse_of_sum(*y, negate(g_, values_[n.left])));
+        inverses_[i] = inverse_of_sum(n, x, y);
         break;
       default:
         break;
@@ -129,8 +129,30 @@ class rewriting {
     if (n.what == operation::cosh) return divide(g_, twice, add(g_, one(), square));
     return divide(g_, s > 0 ? twice : negate(g_, twice), subtract(g_, one(), square));
   }
-  node_id inverse_of_sum(node_id inverse, node_id other) {
-    return divide(g_, inverse, add(g_, one(), multiply(g_, other, inverse)));
+  /// c^u for a constant c, which is positive where u log c has a value.
+  std::optional<node_id> inverse_of_power(const node& n) {
+    if (varies_[n.left] != 0 || varies_[n.right] == 0) return std::nullopt;
+    const node_id u = multiply(g_, detail::find_function("log")->build(g_, {n.left}), n.right);
+    if (direction(u) <= 0) return std::nullopt;
+    return power(g_, values_[n.left], negate(g_, values_[n.right]));
+  }
+  /// Of a sum or difference of the operands, of which x and y are the reciprocals where they grow.
+  std::optional<node_id> inverse_of_sum(const node& n, const std::optional<node_id>& x,
+                                        const std::optional<node_id>& y) {
+    if (!x && !y) return std::nullopt;
+    const bool is_difference = n.what == operation::subtract;
+    // u/w as (1/w)/(1/u).
+    const auto is_faster = [&](node_id v, node_id w) { return direction(divide(g_, w, v)) != 0; };
+    const bool is_left = x && (!y || is_faster(*x, *y));
+    if (x && y && !is_left && !is_faster(*y, *x)) return std::nullopt;
+    const node_id v = is_left ? *x : *y;
+    const std::optional<node_id>& inverse_of_other = is_left ? y : x;
+    const node_id other = values_[is_left ? n.right : n.left];
+    const node_id ratio =
+        inverse_of_other ? divide(g_, v, *inverse_of_other) : multiply(g_, other, v);
+    const node_id sum = is_difference ? subtract(g_, one(), ratio) : add(g_, one(), ratio);
+    const node_id result = divide(g_, v, sum);
+    return is_difference && !is_left ? negate(g_, result) : result;
   }
 
   detail::graph g_;

@@ -285,18 +285,24 @@ ball value_at(const graph& g, node_id i, precision p) {
 }
 
 ball value_far_out(graph& g, node_id i) {
-  const node_id far = g.number(rational(1L << 20));
-  std::vector<node_id> at(i + 1);
-  for (node_id k = 0; k <= i; ++k) {
-    if (g[k].what == operation::variable) {
-      at[k] = far;
-    } else if (operands_at(g, k).empty()) {
-      at[k] = k;
-    } else {
-      at[k] = with_operands(g, g, k, [&](node_id of) { return at[of]; });
+  constexpr precision few = 64;
+  ball value = ball::undefined(few);
+  for (const long x : {1L << 20, 1L << 10, 1L << 5}) {
+    const node_id far = g.number(rational(x));
+    std::vector<node_id> at(i + 1);
+    for (node_id k = 0; k <= i; ++k) {
+      if (g[k].what == operation::variable) {
+        at[k] = far;
+      } else if (operands_at(g, k).empty()) {
+        at[k] = k;
+      } else {
+        at[k] = with_operands(g, g, k, [&](node_id of) { return at[of]; });
+      }
     }
+    value = value_at(g, at[i], few);
+    if (value.is_bounded()) break;
   }
-  return value_at(g, at[i], 64);
+  return value;
 }
 
 }  // namespace polhode::detail

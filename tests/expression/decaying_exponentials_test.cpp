@@ -12,12 +12,27 @@ namespace decaying_exponentials_test {
 expression parse(const char* text) { return expression(text, {{"x"}, {}}); }
 
 TEST(DecayingExponentials, AreTheSameFunction) {
-  for (const char* text :
-       {"1/sinh(x)", "1/cosh(x)", "1/x^2 - 1/sinh(x)^2", "(1/x - 3/(exp(x) - 1))/x",
-        "(1/x - 1/(2 - exp(3*x)))/x", "x/(x^2 - sinh(2*x))", "1/(x + cosh(x/2))^3",
-        "sinh(x)^(-2)/x", "1/(1/x - exp(x))", "1/(x*sinh(-x))", "(x + 1)/(-exp(x)*cosh(x) + 1/x)",
-        "1/(exp(x)/x + x)", "cos(x)/sinh(x - 3)", "exp(-x)/(exp(-x) + 1)/(1 + exp(x^2))",
-        "1/sinh(x^2)^3", "2^x/(exp(x) - x)"}) {
+  for (const char* text : {"1/sinh(x)",
+                           "1/cosh(x)",
+                           "1/x^2 - 1/sinh(x)^2",
+                           "(1/x - 3/(exp(x) - 1))/x",
+                           "(1/x - 1/(2 - exp(3*x)))/x",
+                           "x/(x^2 - sinh(2*x))",
+                           "1/(x + cosh(x/2))^3",
+                           "sinh(x)^(-2)/x",
+                           "1/(1/x - exp(x))",
+                           "1/(x*sinh(-x))",
+                           "(x + 1)/(-exp(x)*cosh(x) + 1/x)",
+                           "1/(exp(x)/x + x)",
+                           "cos(x)/sinh(x - 3)",
+                           "exp(-x)/(exp(-x) + 1)/(1 + exp(x^2))",
+                           "1/sinh(x^2)^3",
+                           "2^x/(exp(x) - x)",
+                           "1/(2^x - x^(5/2)*3)",
+                           "1/(exp(x) - 2*exp(x/sqrt(2)) - 1)",
+
+                           "1/(1/3 - (2/3)^(-x))",
+                           "1/(2^x - 3^x + 5)"}) {
     const expression f = parse(text);
     const std::optional<expression> g = f.with_decaying_exponentials();
     ASSERT_TRUE(g) << text;

@@ -496,6 +496,24 @@ TEST(IsolateRoots, BesideASingularPoint) {
   count("sin(x)/x - 1 + 1/10^4", -1, 1, 2);
 }
 
+TEST(IsolateRoots, OfSumsOfExponentialsAndPowersToInfinity) {
+  const auto count = [&](const char* text, std::size_t roots) {
+    SCOPED_TRACE(text);
+    expect_resolved(isolate_roots(parse(text), 0, end_point::infinity()), roots);
+  };
+  count("x^pi - pi^x", 2);
+  count("x^(7/2) - 2^x", 2);
+  count("exp(x^2) - 100*exp(x)", 1);
+  count("exp(sqrt(x)) - x^(5/2)", 2);
+  count("2^x - 3^x + 5*x^(1/3)", 2);
+  count("exp(x) - 2*exp(x/sqrt(2)) - 1", 1);
+  count("cosh(x) - sinh(x/2) - 20*x^(3/2)", 2);
+  // As many as half turns.
+  EXPECT_FALSE(
+      isolate_roots(parse("exp(x)*sin(x) - x"), 0, end_point::infinity(), {.most_boxes = 2000})
+          .is_resolved());
+}
+
 TEST(IsolateRoots, OfSpecialFunctionsUpToZero) {
   if (arb_functions()->empty()) GTEST_SKIP() << "the library was built without Arb";
   const auto count = [&](const char* text, const end_point& upper, std::size_t roots) {

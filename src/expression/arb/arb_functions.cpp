@@ -776,7 +776,8 @@ ball polylog_over(const ball* order, const ball& x, precision p) {
 
 // For Re z = x > 0 zeta(z) = z/(z - 1) - z times the integral of {t} t^(-z-1) over t > 1 (DLMF
 // 25.2.8), and that of t^(-x-1) log(t)^k is k!/x^(k+1): so |zeta| is at most |z/(z - 1)| + |z|/x,
-// |zeta'| at most |z - 1|^-2 + 1/x + |z|/x^2, and |zeta''| at most 2 |z - 1|^-3 + 2/x^2 + 2 |z|/x^3.
+// |zeta'| at most |z - 1|^-2 + 1/x + |z|/x^2, and |zeta''| at most 2 |z - 1|^-3 + 2/x^2 +
+// 2 |z|/x^3.
 void value_of_zeta(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) { arb().acb_zeta(r, z, p); }
 obstacle pole_of_zeta(const call& x) {
   return contains_zero(x.z.re - 1) && contains_zero(x.z.im) ? obstacle::pole : obstacle::none;

@@ -234,6 +234,11 @@ growth_bound operator/(const growth_bound& x, const growth_bound& y) {
   growth_bound result = x.made(
       "a quotient", x.most_ / y.least_, x.upper_exponent_ - y.lower_exponent_, x.least_ / y.most_,
       x.lower_exponent_ - y.upper_exponent_, x.sign_ * y.sign_, x.series_ / y.series_);
+  if (result.blocked_ && x.sign_ * y.sign_ != 0 && (x.logarithm_ || y.logarithm_)) {
+    // |x/y| = exp(log|x| - log|y|), of a y that decays exponentially as well.
+    const growth_bound size = exp(x.logarithm_of_size() - y.logarithm_of_size());
+    if (!size.blocked_) result = x.sign_ * y.sign_ > 0 ? size : -size;
+  }
   result.oscillates_ = x.oscillates_ || y.oscillates_;
   if (x.constant_ && y.constant_) result.constant_ = *x.constant_ / *y.constant_;
   if (x.logarithm_ || y.logarithm_) {

@@ -68,6 +68,15 @@ std::optional<expression> in_logarithm(const expression& f, int side) {
   }
 }
 
+/// 1/f by exponentials that decay; nothing where that is not available.
+std::optional<expression> reciprocal_by_decay(const expression& f) {
+  try {
+    return expression(1 / f(symbol::variable(0)), f.names()).with_decaying_exponentials();
+  } catch (const input_error&) {
+    return std::nullopt;  // it has no value anywhere
+  }
+}
+
 }  // namespace
 }  // namespace zero_free_ends_impl
 
@@ -104,8 +113,11 @@ bool zero_free_ends::beyond(const rational& from) const {
   if (has_no_zero(growth(f, argument({}, from / 4, -1))) || has_no_zero(growth(f, far(from)))) {
     return true;
   }
-  // |x| >= |from| is s >= log |from|, where powers of log |x| are powers of s.
   if (f.variables().size() != 1) return false;
+  // Where 1/f has values, f is not 0.
+  const auto reciprocal = from > 0 ? reciprocal_by_decay(f) : std::nullopt;
+  if (reciprocal && !growth(*reciprocal, argument({}, from / 4, -1)).is_blocked()) return true;
+  // |x| >= |from| is s >= log |from|, where powers of log |x| are powers of s.
   const rational from_s = lower_rational(log(ball(rational(abs(from)), 64)));
   const auto in_s = from_s > 0 ? in_logarithm(f, from > 0 ? 1 : -1) : std::nullopt;
   return in_s && has_no_zero(growth(*in_s, argument({}, from_s / 4, -1)));
