@@ -20,8 +20,8 @@ namespace polhode::detail {
 /// The same for a node without variables, and its value with p bits.
 [[nodiscard]] std::optional<rational> rational_value_at(const graph& g, node_id i);
 [[nodiscard]] ball value_at(const graph& g, node_id i, precision p);
-/// The value at a great x of a node of a formula of one variable, to see where it tends to: at 2^20,
-/// or where that is no number, as of exp(x^2)/exp(x), at less.
+/// The value at a great x of a node of a formula of one variable, to see where it tends to: at
+/// 2^20, or where that is no number, as of exp(x^2)/exp(x), at less.
 [[nodiscard]] ball value_far_out(graph& g, node_id i);
 
 }  // namespace polhode::detail
