@@ -390,4 +390,24 @@ std::optional<expression::periodic_sum> expression::as_periodic_sum() const {
   }
 }
 
+std::optional<expression::periodic_products> expression::as_periodic_products() const {
+  namespace impl = periodic_sum_impl;
+  if (variables_.size() != 1 || graph_->size() > impl::most_nodes) return std::nullopt;
+  try {
+    impl::splitting splitting(*graph_);
+    if (!splitting.prepare()) return std::nullopt;
+    const auto terms = splitting.terms();
+    const auto has_powers = [](const impl::product& p) { return !p.powers.empty(); };
+    if (!terms || std::ranges::any_of(*terms, has_powers)) return std::nullopt;
+    periodic_products result{splitting.period(), {}};
+    for (const impl::product& p : *terms) {
+      const detail::graph& g = splitting.graph();
+      result.terms.push_back({with_root(g, p.periodic), with_root(g, p.steady)});
+    }
+    return result;
+  } catch (const detail::undefined_operation&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace polhode

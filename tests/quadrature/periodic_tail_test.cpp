@@ -57,7 +57,19 @@ ball tail_of(const expression& f, const rational& from, precision p) {
   return folded.enclosure.enlarged(tail->rest);
 }
 
-/// The same tail to few bits and to many. From far on, many periods are of nearly one size.
+/// The same tail to few bits and to many.
+void expect_one_value(const char* text, const rational& from) {
+  const expression f = parse(text);
+  const ball exact = tail_of(f, from, 200);
+  for (const precision p : {1, 2, 4, 8, 16, 32, 64, 128}) {
+    EXPECT_TRUE(contains(tail_of(f, from, p), exact)) << text << ", " << from << ", " << p;
+  }
+  EXPECT_TRUE(
+      certainly_less(abs(tail_of(f, from, 64) - exact), abs(exact) / ball(integer(1) << 40, 64)))
+      << text << ", " << from;
+}
+
+/// From far on, many periods are of nearly one size.
 TEST(PeriodicTail, HoldsItsValueAtEveryPrecision) {
   for (const char* text : {"abs(sin(x))/x^2",
                            "1/(2 + sin(x))/x^2",
@@ -81,16 +93,11 @@ TEST(PeriodicTail, HoldsItsValueAtEveryPrecision) {
                            "1/(x + sin(x)) - 1/x",
                            "(10^9)^2/(10^9*x + 10^9*sin(x))^2",
                            "1/(x^2/10^9 + 1/10^9 + sin(x)/10^9)"}) {
-    const expression f = parse(text);
-    for (const rational& from : {rational(1), rational(100000)}) {
-      const ball exact = tail_of(f, from, 200);
-      for (const precision p : {1, 2, 4, 8, 16, 32, 64, 128}) {
-        EXPECT_TRUE(contains(tail_of(f, from, p), exact)) << text << ", " << from << ", " << p;
-      }
-      EXPECT_TRUE(certainly_less(abs(tail_of(f, from, 64) - exact),
-                                 abs(exact) / ball(integer(1) << 40, 64)))
-          << text << ", " << from;
-    }
+    for (const rational& from : {rational(1), rational(100000)}) expect_one_value(text, from);
+  }
+  for (const char* text : {"log(abs(sin(x)))/x^2", "log(abs(sin(x)))*exp(-x)",
+                           "sqrt(x - floor(x))*exp(-x)", "x^2*exp(-x)*abs(cos(x))^(1/3)"}) {
+    expect_one_value(text, 1);
   }
 }
 
@@ -172,6 +179,27 @@ TEST(PeriodicTail, MayHaveIntegrablePoles) {
   EXPECT_TRUE(overlaps(of("1/sqrt(abs(sin(pi*x)))/x^2", rational(3, 2), inf),
                        of("1/sqrt(abs(sin(pi*x)))/x^2", rational(3, 2), 7) +
                            of("1/sqrt(abs(sin(pi*x)))/x^2", 7, inf)));
+}
+
+TEST(PeriodicTail, MayDecayExponentiallyBesidePolesAndRoots) {
+  constexpr precision p = 200;
+  const end_point inf = end_point::infinity();
+  // By the cosine series the sum of -1/(n (1 + n^2)).
+  EXPECT_TRUE(
+      overlaps(of("log(abs(2*sin(x/2)))*exp(-x)", 0, inf), -of("(1-cos(x))/(exp(x)-1)", 0, inf)));
+  // Each period is e^-T times the one before.
+  const end_point half_turn(pi_combination{0, 1});
+  EXPECT_TRUE(overlaps(of("abs(sin(x))^(1/3)*exp(-x)", 0, inf) * (1 - exp(-pi(p))),
+                       of("abs(sin(x))^(1/3)*exp(-x)", 0, half_turn)));
+  EXPECT_TRUE(overlaps(of("exp(-x)/sqrt(x - floor(x))", 0, inf) * (1 - exp(ball(-1, p))),
+                       of("exp(-x)/sqrt(x)", 0, 1)));
+  EXPECT_TRUE(overlaps(of("log(abs(cos(x)))*x^2*exp(-x^2)", -inf, inf),
+                       2 * of("log(abs(cos(x)))*x^2*exp(-x^2)", 0, 7) +
+                           2 * of("log(abs(cos(x)))*x^2*exp(-x^2)", 7, inf)));
+  for (const char* f : {"exp(-x)/abs(sin(x))", "log(abs(sin(x)))*exp(x)", "log(abs(sin(x)))",
+                        "sqrt(sin(x))*exp(-x)", "log(abs(sin(x)))*(exp(-x) + 1)"}) {
+    EXPECT_NE(integrate(parse(f), 1, inf, {.digits = 10}).verdict, status::certified) << f;
+  }
 }
 
 TEST(PeriodicTail, OfMeanZeroMayDecaySlowly) {

@@ -277,6 +277,10 @@ class expression {
   /// for long ones.
   struct periodic_sum;
   [[nodiscard]] std::optional<periodic_sum> as_periodic_sum() const;
+  /// f for x > 0 as a sum of products of a function of one period and any function without one
+  /// ("log(abs(sin(x)))*exp(-x)"), likewise.
+  struct periodic_products;
+  [[nodiscard]] std::optional<periodic_products> as_periodic_products() const;
   /// N and d_1, d_2, ... such that, where N and the d_i have values, f has one exactly where no d_i
   /// is 0, and is then N divided by powers of the d_i: sums, products, quotients, whole powers, tan
   /// and tanh over one denominator ("tan(x) - x": sin(x) - x*cos(x); cos(x)). None where that is
@@ -415,6 +419,14 @@ struct expression::periodic_sum {
     rational_polynomial numerator;  // may be 0: f is defined only where the factors are
     rational_polynomial denominator;
     std::vector<moving_power> powers;
+  };
+  std::vector<term> terms;
+};
+struct expression::periodic_products {
+  pi_combination period;
+  struct term {
+    expression factor;  // of the period
+    expression steady;
   };
   std::vector<term> terms;
 };

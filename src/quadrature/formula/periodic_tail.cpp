@@ -55,6 +55,10 @@
 // others s + k + i >= s + 1 > 1. For the bound, e = 0, and binomial(s+j-1, j), the product of
 // (s+m-1)/m over 1 <= m <= j, is at most 1 = binomial(j, j). Of a sum of such P g it is enough that
 // for each s the sum of its a_0 P has the integral 0, as all that is left out is a multiple of it.
+//
+// Where f is a sum of P g with any g for which |g(x)| <= C (c/x)^b for x >= B and a b > 1, as by a
+// growth_bound where g decays exponentially, S is the sum over n < N of g(Y_n + u), but for at most
+// C (c/B)^b (1 + B/(T (b-1))) with B = Y_N - v: the sum by the integral.
 
 #include "periodic_tail.hpp"
 
@@ -68,6 +72,8 @@
 #include "polhode/arithmetic/special_functions.hpp"
 #include "polhode/expression/symbol.hpp"
 #include "polhode/quadrature/integrate.hpp"
+#include "quadrature/ends/growth_bound.hpp"
+#include "quadrature/formula/arithmetics.hpp"
 
 namespace polhode::detail {
 
@@ -496,8 +502,65 @@ std::vector<ball> sums_of_powers(const rational& s, const rational& x, const bal
   return sums;
 }
 
-std::optional<periodic_tail> periodic_tail_of(const expression& f, const rational& from,
-                                              precision p) {
+namespace {
+
+symbol symbol_of(const pi_combination& x) {
+  return symbol(x.q) + symbol(x.r) * symbol::constant("pi");
+}
+
+/// A bound of the sum of |g(B + m T)| over m >= 0. Infinite where none is known.
+magnitude sum_beyond(const expression& g, const rational& b, const ball& period) {
+  constexpr double r = 0.25;  // c/B
+  const growth_bound x =
+      growth_bound::argument(known_number(rational(0)), known_number(rational(b / 4)), -1, r);
+  const growth_bound bound = g.evaluator<growth_bound>(192)(x);
+  if (bound.is_blocked() || bound.exponent() <= 1) return magnitude::infinity();
+  const ball first = ball(0, 64).enlarged(bound.factor()) *
+                     pow(ball(rational(1, 4), 64), ball(bound.exponent(), 64));
+  return (first * (1 + b / (period * (bound.exponent() - 1)))).magnitude_upper();
+}
+
+/// The number of terms after which that is less than about 2^-goal beside g(x), and the bound.
+std::optional<std::pair<long, magnitude>> terms_of_sum(const expression& g, const rational& x,
+                                                       const rational& v, const ball& period,
+                                                       precision goal) {
+  constexpr long most_terms = 512;
+  const magnitude size = g.evaluator<ball>(64)(ball(x, 64)).magnitude_upper();
+  for (long n = 4; n <= most_terms; n *= 2) {
+    const magnitude rest = sum_beyond(g, lower_rational(x + period * n) - v, period);
+    if (rest < scale(size, -static_cast<long>(goal))) return std::pair(n, rest);
+  }
+  return std::nullopt;
+}
+
+std::optional<periodic_tail> tail_by_sums(const expression& f, const rational& from, precision p) {
+  const auto sum = f.as_periodic_products();
+  const auto v = sum ? half_of(sum->period) : std::nullopt;
+  if (!v || (from != 0 && !has_moderate_size(abs(from)))) return std::nullopt;
+  const rational x = std::max<rational>(from, 0) + rounded_up(2 * *v);
+  const ball period = sum->period.at(p + 64);
+  const symbol u = symbol::variable(0);
+  const symbol step = symbol_of(sum->period);
+  symbol folded = 0;
+  magnitude rest;
+  for (const auto& [factor, steady] : sum->terms) {
+    const auto size = size_over_period(factor, sum->period, x, *v);
+    const auto terms = size ? terms_of_sum(steady, x, *v, period, p) : std::nullopt;
+    if (!terms) return std::nullopt;
+    symbol s = 0;
+    for (long n = terms->first; n-- > 0;) s = s + steady(x + u + step * n);
+    folded = folded + factor(x + u) * s;
+    rest = add_up(rest, multiply_up(*size, terms->second));
+  }
+  expression_names names = f.names();
+  names.variables = {"u"};
+  const pi_combination half = sum->period * rational(1, 2);
+  return periodic_tail{end_point(pi_combination{x, 0} - half), expression(folded, names), half,
+                       rest};
+}
+
+std::optional<periodic_tail> tail_by_series(const expression& f, const rational& from,
+                                            precision p) {
   const auto sum = f.as_periodic_sum();
   if (!sum) return std::nullopt;
   const auto v = half_of(sum->period);
@@ -531,6 +594,14 @@ std::optional<periodic_tail> periodic_tail_of(const expression& f, const rationa
   const pi_combination half = sum->period * rational(1, 2);
   return periodic_tail{end_point(pi_combination{at->x, 0} - half), expression(folded, names), half,
                        rest};
+}
+
+}  // namespace
+
+std::optional<periodic_tail> periodic_tail_of(const expression& f, const rational& from,
+                                              precision p) {
+  if (auto tail = tail_by_series(f, from, p)) return tail;
+  return tail_by_sums(f, from, p);
 }
 
 }  // namespace polhode::detail

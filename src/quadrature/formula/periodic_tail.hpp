@@ -20,10 +20,11 @@ struct periodic_tail {
   magnitude rest;
 };
 
-/// The tail of a formula with a periodic sum (expression::as_periodic_sum) whose periodic factors
-/// are integrable and whose other factors decay faster than 1/x, or decay where the periodic ones
-/// are shown to have the mean 0: start >= from, and the rest is about 2^-p beside the size of the
-/// terms. None for other formulas.
+/// The tail of a sum of products of a function of one period that is integrable with others: these
+/// rational functions and powers of x and of polynomials with coefficients of the period, which
+/// decay faster than 1/x, or decay where the periodic ones are shown to have the mean 0
+/// (expression::as_periodic_sum); or any that decay exponentially, about. start >= from, and the
+/// rest is about 2^-p beside the size of the terms. None for other formulas.
 [[nodiscard]] std::optional<periodic_tail> periodic_tail_of(const expression& f,
                                                             const rational& from, precision p);
 
