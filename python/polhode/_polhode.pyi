@@ -291,6 +291,7 @@ class _OfNumbersOrSymbols:
 
 Ci: _OfNumbersOrSymbols
 Ei: _OfNumbersOrSymbols
+polylog: _OfNumbersOrSymbols
 Si: _OfNumbersOrSymbols
 abs: _OfNumbersOrSymbols
 acos: _OfNumbersOrSymbols
