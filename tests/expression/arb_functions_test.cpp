@@ -272,6 +272,22 @@ TEST_F(ArbFunctions, LieBesideTheirLeadingTermsAtZero) {
   EXPECT_EQ(functions, 10);
 }
 
+/// Not by the continuation, where the order is not known to be above 1.
+TEST_F(ArbFunctions, ThePolylogarithmAtOneNeedsAnOrderAboveOne) {
+  const expression f = parse("polylog(x, 1)", {"x"});
+  EXPECT_FALSE(f(ball(rational(1, 2), 128)).is_bounded());
+  EXPECT_TRUE(overlaps(f(ball(3, 128)), zeta(3, 128)));
+  EXPECT_FALSE(parse("polylog(0, x)", {"x"})(ball(2, 128)).is_bounded());
+}
+
+/// J of an order that may be whole has values for x < 0.
+TEST_F(ArbFunctions, AnOrderThatMayBeWholeIsNotExcludedLeftOfZero) {
+  const auto& near_zero = named("besselJ").near_zero;
+  const ball around_one = ball(1, 64).enlarged(magnitude::power_of_two(-60));
+  EXPECT_FALSE(near_zero(std::array{around_one}, -1));
+  EXPECT_TRUE(near_zero(std::array{ball(rational(1, 3), 64)}, -1));
+}
+
 TEST_F(ArbFunctions, TheDilogarithmIsKnownUpToItsBranchPoint) {
   const ball up_to_one = from_end_points(rational(-3), rational(1), 128);
   const ball values = named("dilog").value(std::array{up_to_one});
