@@ -322,7 +322,13 @@ integral_case special_integral(maker& m) {
   integral_case c{x, a, b, few_digits(m)};
   const bool to_infinity = m.one_in(2);
   term f = 0;
-  switch (m.between(0, 12)) {
+  switch (m.between(0, 13)) {
+    case 13: {  // DLMF 25.12.10
+      const term s = m.between(3, 9) / term(2);
+      c.integrand = call("polylog", s, -t) / x;
+      f = call("polylog", s + 1, -t);
+      break;
+    }
     case 12: {  // -(x^(1 - nu) J_(nu - 1)(x))' is x^(1 - nu) J_nu(x), and vanishes at infinity
       const term nu = m.between(2, 12) / term(3);
       c.integrand = power(x, 1 - nu) * of("besselJ", nu);

@@ -215,6 +215,37 @@ integral_case divergent_moving_tails(maker& m) {
   return c;
 }
 
+/// A function of a period with logarithmic poles or roots of zeros, times what decays
+/// exponentially; or, for the twin, does not, or has poles that are not integrable.
+term with_periodic_poles(maker& m, bool converges) {
+  const term k = m.one_in(3) ? term(1) : m.quotient(m.within(0.5, 3));
+  const term turn = call("abs", wave(m, k * x));
+  const term factor = m.one_in(2)   ? call("log", turn)
+                      : m.one_in(2) ? power(turn, m.quotient(m.within(0.2, 0.9)))
+                                    : power(turn, -m.quotient(m.within(0.1, 0.5)));
+  const term rate = m.rational_near(m.scattered(0.3, 3));
+  const term size = m.one_in(3) ? power(x, m.between(1, 2)) : term(1);
+  if (converges) return factor * size * call("exp", m.one_in(4) ? -rate * x * x : -rate * x);
+  if (m.one_in(2)) return factor * size * call("exp", rate * x);
+  return power(turn, -m.between(1, 2)) * call("exp", -rate * x);
+}
+integral_case periodic_poles(maker& m) {
+  const term f = with_periodic_poles(m, true);
+  const term from = m.rational_near(m.scattered(0.2, 4));
+  const term cut = from + m.rational_near(m.scattered(0.5, 8));
+  const long digits = m.between(2, 12);
+  integral_case c{f, from, "inf", digits};
+  c.parts = {{f, from, cut, digits}, {f, cut, "inf", digits}};
+  return c;
+}
+integral_case divergent_periodic_poles(maker& m) {
+  integral_case c{with_periodic_poles(m, false), m.rational_near(m.scattered(0.5, 3)), "inf",
+                  few_digits(m)};
+  c.diverges = true;
+  c.is_cheap = true;
+  return c;
+}
+
 /// A polynomial in the fractional part of k x, with the mean 0 or another one, times what decays.
 integral_case sawtooths(maker& m, bool converges) {
   const term k = m.one_in(2) ? term(m.between(1, 3)) : m.quotient(m.within(0.2, 3));
@@ -532,6 +563,8 @@ std::vector<integral_family> oscillation_families() {
       {"periodic functions times what decays too slowly", 6, divergent_periodic_tails},
       {"powers of polynomials with periodic coefficients", 6, moving_periodic_tails},
       {"powers of such polynomials that do not converge", 6, divergent_moving_tails},
+      {"periodic poles beside exponentials", 6, periodic_poles},
+      {"periodic poles that do not converge", 6, divergent_periodic_poles},
       {"sawtooths of mean 0", 6, sawtooths_of_mean_zero},
       {"sawtooths of another mean", 6, sawtooths_of_another_mean},
       {"steps of reciprocals", 6, steps_of_reciprocals},

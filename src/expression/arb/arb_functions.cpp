@@ -992,8 +992,10 @@ further_function function_of(const definition& f) {
   result.may_be_defined = f.may_be_defined;
   result.simpler = f.simpler;
   if (f.near_zero != nullptr) {
-    result.near_zero = [&f](std::span<const ball> orders, int sign) {
-      return f.near_zero(f.has_order ? &orders[0] : nullptr, sign);
+    result.near_zero = [&f](std::span<const ball> orders, int sign) -> leading {
+      if (!f.has_order) return f.near_zero(nullptr, sign);
+      if (!orders[0].is_bounded()) return std::nullopt;
+      return f.near_zero(&orders[0], sign);
     };
   }
   if (f.bound != nullptr) {
