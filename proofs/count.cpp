@@ -37,7 +37,8 @@ rational_range around(const exact_real& x) {
   return {rational(n * unit), rational((n + 1) * unit)};
 }
 
-/// The slope of S, c = -b u with u = sin(epsilon)^2, and of C, which is tangent to it. The ends of
+/// The slope of S, c = -b u with u = sin(epsilon)^2, and of C, which is tangent to it:
+/// -b sin(2 epsilon), with epsilon = arcsin sqrt(u) for k odd, pi less that for k even. The ends of
 /// its range are dyadic: their decimals are rounded in one way only.
 void add_slopes(certificate& c, const rational_range& b, int k, const root_bracket& u) {
   const auto product = [](const rational& at) { return rational(at * (1 - at)); };
@@ -46,7 +47,7 @@ void add_slopes(certificate& c, const rational_range& b, int k, const root_brack
   const bool has_middle = u.lower < half && half < u.upper;
   c.facts.push_back(
       {statements::fill(statements::slopes_at_meeting,
-                        {std::to_string(k),
+                        {std::to_string(k), k % 2 == 0 ? "" : "-",
                          in_decimals(around_roots(
                              4 * b.low * b.low * least,
                              4 * b.high * b.high * (has_middle ? product(half) : greatest)))}),

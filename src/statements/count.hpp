@@ -8,7 +8,7 @@ namespace polhode::statements {
 inline constexpr const char* number_of_meetings = "at the given a, b, exactly: I < 2/(2k-1) for {}";
 inline constexpr const char* slopes_at_meeting =
     "at the given a, b, exactly: where they meet for k = {}, C and S have the same slope, "
-    "dc/d(epsilon) = -2 b sqrt(u (1-u)), with 2 b sqrt(u (1-u)) between {}";
+    "dc/d(epsilon) = {}2 b sqrt(u (1-u)), with 2 b sqrt(u (1-u)) between {}";
 
 [[nodiscard]] inline claim_text count() {
   return {
@@ -27,8 +27,10 @@ inline constexpr const char* slopes_at_meeting =
           "k >= 1; G maps (0, 1) one to one onto the values above pi I, so that there is one for "
           "every k < 1/I + 1/2. I < 2/(2n+1) is n + 1 < 1/I + 1/2: N >= n + 1, the paper's "
           "theorem. By eq. (20) c + b sin^2 epsilon = (a+bX) cos^2 theta at phi = pi, which is of "
-          "the order of (c - c_k)^2 near a turning point. Computed: the polynomial steps for G, "
-          "the exact count, brackets of the first u_k, and the slopes there.",
+          "the order of (c - c_k)^2 near a turning point; its slope there is that of c = -b sin^2 "
+          "epsilon, with epsilon = arcsin sqrt(u_k) for k odd, pi - arcsin sqrt(u_k) for k even. "
+          "Computed: the polynomial steps for G, the exact count, brackets of the first u_k, and "
+          "the slopes there.",
       .steps = with_more(
           half_phase_steps,
           {identity(

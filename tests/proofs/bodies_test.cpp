@@ -185,6 +185,34 @@ TEST(Counts, AreTheCeilingFormulas) {
   EXPECT_EQ(count_crossings(with_ab("1", "1/3")), 0) << "I = 1";
 }
 
+/// The number after the last of these words, up to a space.
+rational number_after(const std::string& text, const std::string& words) {
+  const std::size_t from = text.rfind(words) + words.size();
+  return parse_rational(text.substr(from, text.find(' ', from) - from));
+}
+
+TEST(Counts, TheSlopeWhereCMeetsSIsThatOfTheCurve) {
+  const body rigid = with_ab("900", "0.0629");
+  const certificate c = prove("count", rigid, 30);
+  long points = 0;
+  for (const checked_fact& f : c.facts) {
+    if (f.statement.find("the same slope") == std::string::npos) continue;
+    const long k = ++points;
+    const meeting at = meeting_to_digits(rigid, 2 * k - 1, 60);
+    const ball slope =
+        twist_to_digits(rigid, lower_rational(at.c) - support::power_of_ten(-45), 40).slope;
+    const bool falls = f.statement.find("= -2 b sqrt") != std::string::npos;
+    const rational size = number_after(f.statement, "between ");
+    const rational more = number_after(f.statement, " and ");
+    EXPECT_TRUE(size < more && more < size * parse_rational("1.00000001")) << f.statement;
+    const rational given = falls ? -size : size;
+    EXPECT_EQ(falls, k % 2 == 1) << f.statement;
+    EXPECT_TRUE(certainly_less(abs(slope * given - 1), ball(support::power_of_ten(-8), 200)))
+        << f.statement << ' ' << slope;
+  }
+  EXPECT_EQ(points, 6);
+}
+
 TEST(Brackets, HoldTheRootAndNothingElsePasses) {
   support::random_source random(43);
   for (support::repeat trial(40); trial.again();) {

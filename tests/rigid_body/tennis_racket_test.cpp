@@ -224,6 +224,14 @@ TEST(TwistCurve, PassesItsMeetingsWithoutAJump) {
       // On S: sin^2 epsilon = u.
       EXPECT_TRUE(meet(square(sin(at.epsilon)), at.u));
     }
+    if (m != 2) {
+      // C touches S there: its slope, found from F, is that of c = -b sin^2 epsilon. Both change by
+      // less than 1e-30 over 1e-40.
+      const ball of_s = -2 * rigid.b().at(300) * sin(at.epsilon) * cos(at.epsilon);
+      for (const twist& t : {left, right}) {
+        EXPECT_TRUE((t.slope * of_s - 1).magnitude_upper() <= magnitude::power_of_two(-99)) << m;
+      }
+    }
     // G(u) = 2 pi/m: half the phase changes sides between the ends of c.
     const rational low = lower_rational(at.c);
     const rational high = upper_rational(at.c);

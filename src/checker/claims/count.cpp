@@ -23,7 +23,8 @@ range roots_around(const range& q) {
           rational(root(q.upper) + 1) * power_of_two(-bits)};
 }
 
-/// S is c = -b u with u = sin(epsilon)^2, and C is tangent to it: the derivative is -2 b sin cos.
+/// S is c = -b u with u = sin(epsilon)^2, and C is tangent to it: the derivative is -2 b sin cos,
+/// where cos(epsilon) is positive for k odd and negative for k even.
 void check_slopes(examination& e, int k, const range& u) {
   const auto product = [](const rational& x) { return rational(x * (1 - x)); };
   range products{product(u.lower), product(u.upper)};
@@ -35,7 +36,7 @@ void check_slopes(examination& e, int k, const range& u) {
                                                 rational(4 * b.upper * b.upper * products.upper)})
                                 : products;
   e.fact(statements::fill(statements::slopes_at_meeting,
-                          {std::to_string(k), in_decimals(slope, e.work())}),
+                          {std::to_string(k), k % 2 == 0 ? "" : "-", in_decimals(slope, e.work())}),
          is_inside);
 }
 
