@@ -7,6 +7,7 @@
 #include "calls.hpp"
 #include "graph.hpp"
 #include "polhode/expression/function_table.hpp"
+#include "polynomials.hpp"
 
 namespace polhode {
 namespace detail {
@@ -29,6 +30,7 @@ bool outside_open_unit(const rational& q) { return q >= 1 || q <= -1; }
 bool outside_closed_unit(const rational& q) { return q > 1 || q < -1; }
 bool in_unit_but_zero(const rational& q) { return q > 0 && q <= 1; }
 bool no_pole_of_gamma(const rational& q) { return q > 0 || denominator(q) != 1; }
+bool no_negative_integer(const rational& q) { return q >= 0 || denominator(q) != 1; }
 
 /// Throws undefined_operation where x is a number outside the domain of the function.
 void check_domain(const graph& g, const char* name, node_id x, bool (*defined)(const rational&)) {
@@ -240,6 +242,17 @@ node_id gamma_of(graph& g, const operands& x) {
   return g.make(operation::gamma, x[0]);
 }
 
+node_id factorial_of(graph& g, const operands& x) {
+  check_domain(g, "factorial", x[0], no_negative_integer);
+  return gamma_of(g, {add(g, x[0], g.number(1))});
+}
+
+node_id euler_beta_of(graph& g, const operands& x) {
+  const node_id sum = add(g, x[0], x[1]);
+  for (const node_id i : {x[0], x[1], sum}) check_domain(g, "euler_beta", i, no_pole_of_gamma);
+  return divide(g, multiply(g, gamma_of(g, {x[0]}), gamma_of(g, {x[1]})), gamma_of(g, {sum}));
+}
+
 node_id log_gamma_of(graph& g, const operands& x) {
   check_domain(g, "log_gamma", x[0], no_pole_of_gamma);
   const rational* q = g.value(x[0]);
@@ -279,6 +292,32 @@ node_id sign_of(graph& g, const operands& x) {
   const node_id below = smaller_of(g, {x[0], g.number(rational(1, 2))});
   const node_id c = greater_of(g, {below, g.number(rational(-1, 2))});
   return add(g, function_of(g, operation::floor, c), function_of(g, operation::ceil, c));
+}
+
+/// floor(max(x, 0)) + ceil(min(x, 0)), of which one is 0.
+node_id truncated(graph& g, const operands& x) {
+  const node_id zero = g.number(0);
+  return add(g, function_of(g, operation::floor, greater_of(g, {x[0], zero})),
+             function_of(g, operation::ceil, smaller_of(g, {x[0], zero})));
+}
+node_id rounded(graph& g, const operands& x) {
+  return function_of(g, operation::floor, add(g, x[0], g.number(rational(1, 2))));
+}
+node_id fractional_part(graph& g, const operands& x) {
+  return subtract(g, x[0], function_of(g, operation::floor, x[0]));
+}
+node_id remainder_of(graph& g, const operands& x) {
+  const node_id turns = function_of(g, operation::floor, divide(g, x[0], x[1]));
+  return subtract(g, x[0], multiply(g, x[1], turns));
+}
+node_id unit_step(graph& g, const operands& x) {
+  return divide(g, add(g, g.number(1), sign_of(g, x)), g.number(2));
+}
+
+node_id cardinal_sine(graph& g, const operands& x) {
+  const rational* q = g.value(x[0]);
+  if (q != nullptr && *q == 0) return g.number(1);
+  return divide(g, function_of(g, operation::sin, x[0]), x[0]);
 }
 
 node_id hypot_of(graph& g, const operands& x) {

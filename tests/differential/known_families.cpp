@@ -312,6 +312,92 @@ integral_case power_of_sine_and_cosine(maker& m) {
   return c;
 }
 
+/// The case to infinity where its value is known, else with this antiderivative.
+integral_case to_infinity_or(integral_case c, const term& f) {
+  if (c.value) {
+    c.to = "inf";
+  } else {
+    c.antiderivative = f;
+  }
+  return c;
+}
+
+/// Error functions, Fresnel's integrals, incomplete gamma and polygamma functions, of t = k x + h:
+/// their antiderivatives, and integrals to infinity.
+integral_case error_integral(maker& m) {
+  const long k = m.between(1, 3);
+  const term s = m.between(1, 20) / term(6);
+  const auto [a, b] = m.range(0.05, 8);
+  integral_case c{x, a, b, few_digits(m)};
+  const term t = k * x + (m.one_in(2) ? term(0) : m.between(1, 8) / term(4));
+  const auto incomplete = [&](const char* name, const term& order) { return call(name, order, t); };
+  const auto to_infinity = [&](const term& f) { c.value = -substituted(f, "x", c.from); };
+  const term root_pi = call("sqrt", term("pi"));
+  term f = 0;
+  switch (m.between(0, 12)) {
+    case 0:
+      c.integrand = k * call("erfi", t);
+      f = t * call("erfi", t) - call("exp", t * t) / root_pi;
+      break;
+    case 1:
+      c.integrand = k * (2 * t * call("erfcx", t) - 2 / root_pi);
+      f = call("erfcx", t);
+      if (m.one_in(2)) to_infinity(f);
+      break;
+    case 2:
+      c.integrand = k * (1 - 2 * t * call("dawson", t));
+      f = call("dawson", t);
+      break;
+    case 3:
+      c.integrand = k * call("fresnelS", t);
+      f = t * call("fresnelS", t) + call("cos", term("pi") * t * t / 2) / term("pi");
+      break;
+    case 4:
+      c.integrand = k * call("fresnelC", t);
+      f = t * call("fresnelC", t) - call("sin", term("pi") * t * t / 2) / term("pi");
+      break;
+    case 5:
+      c.integrand = k * call("Shi", t);
+      f = t * call("Shi", t) - call("cosh", t);
+      break;
+    case 6:
+      c.integrand = k * call("Chi", t);
+      f = t * call("Chi", t) - call("sinh", t);
+      break;
+    case 7:
+      c.integrand = k * incomplete("gammaUpper", s);
+      f = t * incomplete("gammaUpper", s) - incomplete("gammaUpper", s + 1);
+      if (m.one_in(2)) to_infinity(f);
+      break;
+    case 8:
+      c.integrand = k * incomplete("gammaLower", s);
+      f = t * incomplete("gammaLower", s) - incomplete("gammaLower", s + 1);
+      break;
+    case 9: {
+      const long n = m.between(2, 4);
+      c.integrand = k * incomplete("polygamma", n);
+      f = incomplete("polygamma", n - 1);
+      if (m.one_in(2)) to_infinity(f);
+      break;
+    }
+    case 10:  // DLMF 8.14.4
+      c.integrand = power(x, s / 2 - 1) * call("gammaUpper", s, x);
+      c.from = 0;
+      c.value = call("gamma", s + s / 2) / (s / 2);
+      break;
+    case 11:  // of erfc(k x)
+      c.integrand = call("exp", -(k * k * x * x)) * call("erfcx", k * x);
+      c.from = 0;
+      c.value = 1 / (k * root_pi);
+      break;
+    default:
+      c.integrand = call("dawson", k * x) / x;
+      c.from = 0;
+      c.value = power(term("pi"), term(3) / 2) / 4;
+  }
+  return to_infinity_or(c, f);
+}
+
 /// Special functions with antiderivatives among them, over finite and infinite ranges, of t = k x.
 integral_case special_integral(maker& m) {
   const long k = m.between(1, 3);
@@ -387,12 +473,7 @@ integral_case special_integral(maker& m) {
       c.integrand = k * call("digamma", t);
       f = call("log_gamma", t);
   }
-  if (c.value) {
-    c.to = "inf";
-  } else {
-    c.antiderivative = f;
-  }
-  return c;
+  return to_infinity_or(c, f);
 }
 
 /// Bessel functions to infinity, where they converge by oscillation: Hankel transforms, Weber and
@@ -479,6 +560,7 @@ std::vector<integral_family> known_families() {
       {"integrals of the books", 7, mostly_cheap(book_integral)}};
   if (!arb_functions()->empty()) {
     all.push_back({"Arb's functions", 8, mostly_cheap(special_integral)});
+    all.push_back({"error and incomplete gamma functions", 6, mostly_cheap(error_integral)});
     all.push_back({"Bessel functions to infinity", 6, bessel_to_infinity});
   }
   return all;

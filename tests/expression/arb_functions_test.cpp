@@ -11,7 +11,9 @@
 #include <boost/math/special_functions/bessel.hpp>
 #include <boost/math/special_functions/digamma.hpp>
 #include <boost/math/special_functions/expint.hpp>
+#include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/special_functions/lambert_w.hpp>
+#include <boost/math/special_functions/polygamma.hpp>
 #include <boost/math/special_functions/zeta.hpp>
 
 #include "polhode/arithmetic/elementary.hpp"
@@ -91,6 +93,12 @@ TEST_F(ArbFunctions, HaveTheValuesOfBoost) {
     expect(of_one("lambertW"), boost::math::lambert_w0(t), "W " + at);
     expect(of_one("digamma"), boost::math::digamma(t), "digamma " + at);
     expect(of_one("zeta"), boost::math::zeta(t), "zeta " + at);
+    if (nu > 0) {
+      expect(of_two("gammaUpper"), boost::math::tgamma(n, t), "upper " + at);
+      expect(of_two("gammaLower"), boost::math::tgamma_lower(n, t), "lower " + at);
+    }
+    expect(named("polygamma").value(std::array{ball(3, 128), b}), boost::math::polygamma(3, t),
+           "polygamma " + at);
     expect(named("zeta").value(std::array{-b}), boost::math::zeta(-t), "zeta -" + at);
   }
 }
@@ -117,6 +125,14 @@ TEST_F(ArbFunctions, AreTiedByIdentities) {
     EXPECT_TRUE(contains_zero(g("dilog", u) + g("dilog", 1 - u) + log(u) * log(1 - u) -
                               square(pi(200)) / 6));
     EXPECT_TRUE(contains_zero(g("digamma", x + 1) - g("digamma", x) - 1 / x));
+    EXPECT_TRUE(contains_zero(f("gammaUpper", n, x) + f("gammaLower", n, x) - gamma(n)) ||
+                !gamma(n).is_bounded());
+    EXPECT_TRUE(
+        contains_zero(f("gammaUpper", n + 1, x) - n * f("gammaUpper", n, x) - pow(x, n) * exp(-x)));
+    EXPECT_TRUE(contains_zero(g("erfcx", x) * exp(-square(x)) - erfc(x)));
+    EXPECT_TRUE(contains_zero(g("erfcx", -x) * exp(-square(x)) - 1 - erf(x)));
+    EXPECT_TRUE(contains_zero(2 * g("dawson", x) - sqrt(pi(200)) * exp(-square(x)) * g("erfi", x)));
+    EXPECT_TRUE(contains_zero(g("Chi", x) + g("Shi", x) - g("Ei", x)));
     // The sums over even and odd k; Riemann's functional equation (DLMF 25.4.1).
     EXPECT_TRUE(contains_zero(f("polylog", n, u) + f("polylog", n, -u) -
                               pow(ball(2, 200), 1 - n) * f("polylog", n, square(u))));
@@ -225,7 +241,8 @@ TEST_F(ArbFunctions, LieBelowTheirMajorants) {
       arguments.push_back(x);
       if (!bound) continue;
       const ball most =
-          expression(bound->text, {.variables = {"x"}, .definitions = {}}).evaluator<ball>(p)(x);
+          expression(bound->text, {.variables = argument_names(f.what), .definitions = {}})
+              .evaluator<ball>(p)(std::span<const ball>(arguments));
       EXPECT_TRUE(most.is_bounded());
       EXPECT_FALSE(certainly_less(most, abs(f.value(arguments)))) << nu << " " << x;
     }
@@ -269,7 +286,23 @@ TEST_F(ArbFunctions, LieBesideTheirLeadingTermsAtZero) {
       EXPECT_FALSE(certainly_less(at_x(near->rest), off)) << nu << " " << x;
     }
   }
-  EXPECT_EQ(functions, 10);
+  EXPECT_EQ(functions, 19);
+}
+
+TEST_F(ArbFunctions, IncompleteGammaFunctionsGoOnToZero) {
+  const ball s(rational(3, 2), 128);
+  const ball from_zero = from_end_points(rational(0), rational(2), 128);
+  for (const char* name : {"gammaUpper", "gammaLower"}) {
+    const ball values = named(name).value(std::array{s, from_zero});
+    for (const rational& x : {rational(0), rational(1, 3), rational(2)}) {
+      EXPECT_TRUE(overlaps(values, named(name).value(std::array{s, ball(x, 128)}))) << name << x;
+    }
+    EXPECT_TRUE(certainly_less(values, ball(1, 64)));
+    EXPECT_TRUE(certainly_less(ball(rational(-1, 100), 64), values));
+    EXPECT_FALSE(named(name).value(std::array{-s, from_zero}).is_bounded());
+    const ball beyond = from_end_points(rational(-1, 8), rational(2), 128);
+    EXPECT_FALSE(named(name).value(std::array{s, beyond}).is_bounded());
+  }
 }
 
 /// Not by the continuation, where the order is not known to be above 1.

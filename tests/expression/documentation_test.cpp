@@ -59,11 +59,13 @@ TEST(Documentation, HasTheTableOfFunctionsAndConstants) {
 
 TEST(Documentation, EveryFunctionCanBeCalledAsItsTableSays) {
   for (const expression_function& f : expression_functions()) {
-    const bool whole = f.arguments.find('n') != std::string::npos;
+    const bool whole = f.domain.find("whole number from") != std::string::npos ||
+                       f.description.find("whole number from") != std::string::npos;
     const bool two = f.arguments.find(',') != std::string::npos;
-    const std::string call = f.name + (f.arguments == "n" ? "(3)"
-                                       : two              ? (whole ? "(x, 3)" : "(x, 5/4)")
-                                                          : "(x)");
+    const std::string call = f.name + (f.arguments == "n"               ? "(3)"
+                                       : f.arguments.starts_with("n, ") ? "(3, x)"
+                                       : two ? (whole ? "(x, 3)" : "(x, 5/4)")
+                                             : "(x)");
     const expression g(call, {{"x"}, {}});
     // 3/2 lies in every domain but those within [-1, 1].
     const bool bounded_domain = f.domain.starts_with("-1 <") || f.domain == "0 < x <= 1";

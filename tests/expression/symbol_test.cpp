@@ -40,14 +40,16 @@ TEST(Symbol, RecordsWhatAFunctionDoes) {
 TEST(Symbol, EveryFunctionOfTheTableIsThere) {
   const symbol x = symbol::variable(0);
   std::size_t count = 0;
-#define POLHODE_TRY(f, arguments, ...)                                                \
-  ++count;                                                                            \
-  if constexpr (std::string_view(arguments).find(',') != std::string_view::npos) {    \
-    EXPECT_EQ(formula_of(f(x, 3), {"x"}).to_text(), parse(#f "(x, 3)").to_text());    \
-  } else if constexpr (std::string_view(#f) == "zeta") {                              \
-    EXPECT_EQ(formula_of(f(symbol(3)), {"x"}).to_text(), parse("zeta(3)").to_text()); \
-  } else {                                                                            \
-    EXPECT_EQ(formula_of(f(x), {"x"}).to_text(), parse(#f "(x)").to_text());          \
+#define POLHODE_TRY(f, arguments, ...)                                                    \
+  ++count;                                                                                \
+  if constexpr (std::string_view(arguments).starts_with("n, ")) {                         \
+    EXPECT_EQ(formula_of(f(3, x), {"x"}).to_text(), parse(#f "(3, x)").to_text());        \
+  } else if constexpr (std::string_view(arguments).find(',') != std::string_view::npos) { \
+    EXPECT_EQ(formula_of(f(x, 3), {"x"}).to_text(), parse(#f "(x, 3)").to_text());        \
+  } else if constexpr (std::string_view(#f) == "zeta") {                                  \
+    EXPECT_EQ(formula_of(f(symbol(3)), {"x"}).to_text(), parse("zeta(3)").to_text());     \
+  } else {                                                                                \
+    EXPECT_EQ(formula_of(f(x), {"x"}).to_text(), parse(#f "(x)").to_text());              \
   }
   POLHODE_FUNCTION_TABLE(POLHODE_TRY, POLHODE_TRY, POLHODE_TRY, POLHODE_TRY)
 #undef POLHODE_TRY

@@ -87,6 +87,11 @@ enum class function_kind {
   OF_EITHER(max, "x, y", "the greater of both; of several: max(x, y, z)", "all x and y", piecewise, greater_of) \
   OF_ONE(floor, "x", "greatest integer <= x", "all x", piecewise, everywhere) \
   OF_ONE(ceil, "x", "least integer >= x", "all x", piecewise, everywhere) \
+  MADE(trunc, "x", "whole part, towards 0", "all x", truncated) \
+  MADE(round, "x", "nearest integer, floor(x + 1/2)", "all x", rounded) \
+  MADE(frac, "x", "x - floor(x), in [0, 1)", "all x", fractional_part) \
+  MADE(mod, "x, y", "x - y floor(x/y), of the sign of y", "y != 0", remainder_of) \
+  MADE(heaviside, "x", "0, 1/2 or 1 as x < 0, x = 0 or x > 0", "all x", unit_step) \
   OF_EITHER(hypot, "x, y", "sqrt(x^2 + y^2); of several: hypot(x, y, z)", "all x and y", algebraic, hypot_of) \
   OF_EITHER(agm, "x, y", "arithmetic-geometric mean", "x >= 0 and y >= 0", elementary, agm_of) \
   OF_ONE(gamma, "x", "Euler's gamma function", "no whole number <= 0", special, gamma_of) \
@@ -94,6 +99,15 @@ enum class function_kind {
   MADE(lgamma, "x", "log |gamma(x)|, the same as log_gamma", "no whole number <= 0", log_gamma_of) \
   OF_ONE(erf, "x", "error function", "all x", special, everywhere) \
   OF_ONE(erfc, "x", "1 - erf(x)", "all x", special, everywhere) \
+  MADE(sinc, "x", "sin(x)/x; 1 at the number 0", "x != 0; x = 0 as a number", cardinal_sine) \
+  MADE(factorial, "x", "gamma(x + 1)", "no whole number < 0", factorial_of) \
+  MADE(binomial, "x, k", "x(x - 1)...(x - k + 1)/k!", "k a whole number from 0 to 1000", binomial_of) \
+  MADE(euler_beta, "x, y", "gamma(x) gamma(y)/gamma(x + y)", "x, y, x + y no whole number <= 0", euler_beta_of) \
+  MADE(chebyshevT, "n, x", "Chebyshev polynomial, first kind", "n a whole number from 0 to 1000", chebyshev_t) \
+  MADE(chebyshevU, "n, x", "Chebyshev polynomial, second kind", "n a whole number from 0 to 1000", chebyshev_u) \
+  MADE(legendreP, "n, x", "Legendre polynomial", "n a whole number from 0 to 1000", legendre_p) \
+  MADE(hermiteH, "n, x", "Hermite polynomial, of weight exp(-x^2)", "n a whole number from 0 to 1000", hermite_h) \
+  MADE(laguerreL, "n, x", "Laguerre polynomial", "n a whole number from 0 to 1000", laguerre_l) \
   MADE(zeta, "n", "Riemann's zeta function", "n a whole number from 2", zeta_of)
 // clang-format on
 

@@ -71,7 +71,7 @@ struct further_function {
   /// A bound of |f|, by which the tails of integrals are bounded, for a last argument x with this
   /// sign (1 or -1); the other arguments are numbers in the balls. May be empty, or know none.
   struct majorant_formula {
-    std::string text;         // a formula in x
+    std::string text;         // a formula in the names of what.arguments
     bool oscillates = false;  // f does, for x -> inf: no panel holds its tail
   };
   std::function<std::optional<majorant_formula>(std::span<const ball>, int sign)> majorant =

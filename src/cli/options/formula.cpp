@@ -134,27 +134,27 @@ expression read_equation(const std::string& given, const std::vector<std::string
 std::string table_of_functions() {
   std::string result = "functions\n";
   for (const expression_function& f : expression_functions()) {
-    result += fmt::format("  {:<14}{:<42}{}\n", f.name + '(' + f.arguments + ')', f.description,
+    result += fmt::format("  {:<18}{:<41} {}\n", f.name + '(' + f.arguments + ')', f.description,
                           f.domain);
   }
-  const auto add = [&](const std::string& title, const further_functions& functions) {
+  const auto add = [&](const std::string& title, int width, const further_functions& functions) {
     if (functions.empty()) return;
     result += title + '\n';
     for (const further_function& f : functions) {
-      result += fmt::format("  {:<25}{:<31} {}\n", f.what.name + '(' + f.what.arguments + ')',
-                            f.what.description, f.what.domain);
+      result += fmt::format("  {:<23}{:<{}} {}\n", f.what.name + '(' + f.what.arguments + ')',
+                            f.what.description, width, f.what.domain);
     }
   };
-  add("elliptic integrals and functions, of the parameter m = k^2 (docs/elliptic.md)",
+  add("elliptic integrals and functions, of the parameter m = k^2 (docs/elliptic.md)", 32,
       *elliptic_functions());
-  add("special functions, by Arb", *arb_functions());
+  add("special functions, by Arb", 38, *arb_functions());
   result += "constants\n";
   for (const expression_constant& c : expression_constants()) {
-    result += fmt::format("  {:<14}{}\n", c.name, c.description);
+    result += fmt::format("  {:<18}{}\n", c.name, c.description);
   }
   result += "other names\n";
   for (const expression_alias& a : expression_aliases()) {
-    result += fmt::format("  {:<14}the same as {}\n", a.name, a.meaning);
+    result += fmt::format("  {:<18}the same as {}\n", a.name, a.meaning);
   }
   return result;
 }

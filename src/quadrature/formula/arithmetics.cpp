@@ -66,15 +66,16 @@ std::optional<Series> by_leading_term(const F& f, const std::vector<Series>& x,
 
 /// f(x) by its majorant. None where f has none.
 template <class Series, class F>
-std::optional<Series> by_majorant(const F& f, const Series& x, const std::vector<ball>& values) {
+std::optional<Series> by_majorant(const F& f, const std::vector<Series>& x,
+                                  const std::vector<ball>& values) {
   if constexpr (requires { f.majorant; }) {
-    const int sign = x.sign();
+    const int sign = x.back().sign();
     if (!f.majorant || sign == 0) return std::nullopt;
     const auto known = f.majorant(std::span(values).first(values.size() - 1), sign);
     if (!known) return std::nullopt;
-    auto result = of_size(f, formula_over(known->text, {"x"}, std::vector<Series>{x}));
+    auto result = of_size(f, formula_over(known->text, argument_names(f.what), x));
     if constexpr (std::same_as<Series, growth_bound>) {
-      if (result && known->oscillates) return result->oscillating_as(x);
+      if (result && known->oscillates) return result->oscillating_as(x.back());
     }
     return result;
   } else {
@@ -90,7 +91,7 @@ Series of_values(const F& f, const Range& arguments, const std::vector<ball>& va
   if (auto result = by_leading_term(f, x, values)) return *std::move(result);
   const ball value = f.value(values);
   if (!value.is_bounded()) {
-    if (auto result = by_majorant(f, x.back(), values)) return *std::move(result);
+    if (auto result = by_majorant(f, x, values)) return *std::move(result);
   }
   return x.front().bounded_like(name_of_function(f), value);
 }

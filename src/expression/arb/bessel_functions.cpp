@@ -1,0 +1,290 @@
+#ifdef POLHODE_WITH_ARB
+
+// Bessel functions.
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "definition.hpp"
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/special_functions.hpp"
+
+namespace polhode::arb_functions_impl {
+namespace {
+
+obstacle left_half_unless_whole(const call& x) {
+  return is_whole(*x.order) ? obstacle::none : left_half(x);
+}
+
+/// The greatest |order|.
+rational most_of(const ball& order) {
+  return std::max<rational>(abs(lower_rational(order)), abs(upper_rational(order)));
+}
+
+/// |J_n(z)| <= e^|Im z| for whole n, and <= |z/2|^|n| e^|Im z|/|n|! (DLMF 10.9.2, 10.14.4), with
+/// `growth` = |Im z|, `size` = |z|. Of I_n(z) = i^-n J_n(i z) the same with |Re z|.
+ball bound_of_whole(const integer& n, const ball& size, const ball& growth) {
+  ball bound = exp(growth);
+  constexpr long most = 1000;
+  const integer order = abs(n);
+  if (order > 0 && order < most) {
+    const auto k = static_cast<long>(order);
+    integer factorial;
+    mpz_fac_ui(factorial.backend().data(), static_cast<unsigned long>(k));
+    const ball other = exp(growth) * pow(size / 2, k) / ball(factorial, few_bits);
+    if (certainly_less(other, bound)) bound = other;
+  }
+  return bound;
+}
+/// The same of the function and of its derivative, (f_(n-1) -+ f_(n+1))/2.
+bounds bounds_of_whole(const call& x, const ball& growth) {
+  const integer n = numerator(lower_rational(*x.order));
+  const ball size = upper_of(x.z.magnitude_upper());
+  const ball z = greatest_size(size);
+  const ball slope = (bound_of_whole(n - 1, z, growth) + bound_of_whole(n + 1, z, growth)) / 2;
+  return {bound_of_whole(n, z, growth).magnitude_upper(), slope.magnitude_upper()};
+}
+
+/// The integral of (1 + 2 s)^m e^(-x s) over s > 0, m >= |order|: 1/x for m = 0, and by parts (1 +
+/// 2 m times that of m - 1)/x. None where m is large.
+std::optional<ball> integral_of_tail(const ball& order, const ball& x) {
+  constexpr long most = 200;
+  const rational m = most_of(order);
+  if (m > most || !certainly_positive(x)) return std::nullopt;
+  ball result = 1 / x;
+  for (long k = 1; k < m + 1; ++k) result = (1 + 2 * k * result) / x;
+  return result;
+}
+
+/// Schlaefli's integrals for Re z > 0 (DLMF 10.9.6, 10.9.7):
+///   pi J = integral of cos(order t - z sin t) over 0 < t < pi
+///          - sin(pi order) times that of e^(-z sinh t - order t) over t > 0,
+///   pi Y = integral of sin(z sin t - order t) over 0 < t < pi
+///          - that of (e^(order t) + e^(-order t) cos(pi order)) e^(-z sinh t) over t > 0.
+/// The first ones, and their derivatives in z, are at most pi e^|Im z|. In the others |e^(-+ order
+/// t)| <= e^(m t) <= (1 + 2 s)^m with s = sinh t and m >= |order|, and dt = ds/sqrt(1 + s^2); a
+/// derivative in z has a factor s more, and s/sqrt(1 + s^2) <= 1. So both are at most the integral
+/// above with x = the least Re z; of Y twice that.
+bounds bounds_by_schlaefli(const call& x, long tails) {
+  const auto tail = integral_of_tail(*x.order, least_of(x.z.re));
+  if (!tail) return {};
+  const ball most = exp(greatest_size(x.z.im)) + tails * *tail / pi(few_bits);
+  return {most.magnitude_upper(), most.magnitude_upper()};
+}
+
+/// For nu >= -1/2 |J_nu(z)| is at most |z/2|^nu e^|Im z|/gamma(nu + 1) (DLMF 10.14.4), and J_nu' =
+/// (nu/z) J_nu - J_(nu+1) (DLMF 10.6.2); of I_nu the same with `growth` = |Re z| in the place of
+/// |Im z|, as I_nu(z) = e^(-+i pi nu/2) J_nu(+-i z) (DLMF 10.27.6).
+bounds bounds_near_zero(const call& x, const ball& growth) {
+  constexpr long most = 200;
+  const ball nu = x.order->with_precision(few_bits);
+  if (!(most_of(nu) <= most) || !certainly_less_equal(ball(-1, few_bits), 2 * nu)) return {};
+  const ball size = abs(x.z).with_precision(few_bits);
+  const auto bound = [&](const ball& order) {
+    return pow(size / 2, order) * exp(growth) / gamma(order + 1);
+  };
+  const ball slope = abs(nu) / size * bound(nu) + bound(nu + 1);
+  if (!slope.is_bounded()) return {};
+  return {bound(nu).magnitude_upper(), slope.magnitude_upper()};
+}
+bounds lesser(const bounds& x, const bounds& y) {
+  return {std::min(x.size, y.size), std::min(x.slope, y.slope)};
+}
+bounds bounds_of_j(const call& x) {
+  if (is_whole(*x.order)) return bounds_of_whole(x, greatest_size(x.z.im));
+  return lesser(bounds_near_zero(x, greatest_size(x.z.im)), bounds_by_schlaefli(x, 1));
+}
+bounds bounds_of_y(const call& x) { return bounds_by_schlaefli(x, 2); }
+
+void value_of_j(acb_ptr r, acb_srcptr order, acb_srcptr z, slong p) {
+  arb().acb_hypgeom_bessel_j(r, order, z, p);
+}
+void value_of_y(acb_ptr r, acb_srcptr order, acb_srcptr z, slong p) {
+  arb().acb_hypgeom_bessel_y(r, order, z, p);
+}
+void value_of_i(acb_ptr r, acb_srcptr order, acb_srcptr z, slong p) {
+  arb().acb_hypgeom_bessel_i(r, order, z, p);
+}
+void value_of_k(acb_ptr r, acb_srcptr order, acb_srcptr z, slong p) {
+  arb().acb_hypgeom_bessel_k(r, order, z, p);
+}
+
+/// K is the integral of e^(-z cosh t) cosh(order t) over t > 0, for Re z > 0 (DLMF 10.32.9): it and
+/// its derivative are largest at the least Re z = x, where they are K and -K'.
+bounds bounds_of_k(const call& x) {
+  const complex_ball z(least_of(x.z.re));
+  if (!certainly_positive(z.re)) return {};
+  const definition& k = named("besselK");
+  const ball less = *x.order - 1;
+  const ball more = *x.order + 1;
+  const magnitude sum =
+      (value_of(k, {&less, z}, few_bits) + value_of(k, {&more, z}, few_bits)).magnitude_upper();
+  return {value_of(k, {x.order, z}, few_bits).magnitude_upper(), scale(sum, -1)};
+}
+/// For Re z > 0 (DLMF 10.32.4) pi I = integral of e^(z cos t) cos(order t) over 0 < t < pi
+/// - sin(pi order) times that of e^(-z cosh t - order t) over t > 0, of which the first, and its
+/// derivative, is at most pi e^(Re z); the second is at most twice K, and its derivative twice -K'.
+bounds bounds_of_i(const call& x) {
+  const ball growth = greatest_size(x.z.re);
+  if (is_whole(*x.order)) return bounds_of_whole(x, growth);
+  const bounds k = bounds_of_k(x);
+  const auto sum = [&](const magnitude& tail) {
+    return (exp(growth) + 2 * upper_of(tail) / pi(few_bits)).magnitude_upper();
+  };
+  return lesser(bounds_near_zero(x, growth), {sum(k.size), sum(k.slope)});
+}
+
+/// integral_of_tail as a formula in x.
+formula formula_of_tail(const ball& order) {
+  constexpr long most = 20;
+  const rational m = most_of(order);
+  if (!(m <= most)) return std::nullopt;
+  std::string sum = "1/x";
+  for (long k = 1; k < m + 1; ++k) sum = fmt::format("(1+{}*({}))/x", 2 * k, sum);
+  return sum;
+}
+/// |J_n(x)| <= 1 for whole n; else, for x > 0, Schlaefli's integrals.
+majorant majorant_of_j(const ball* order, int sign) {
+  if (is_whole(*order)) return oscillating("1");
+  const formula tail = sign > 0 ? formula_of_tail(*order) : std::nullopt;
+  return tail ? oscillating("1+(" + *tail + ")/pi") : std::nullopt;
+}
+/// Of order 0 the second integral is at most twice that of e^(-x s) s^(-7/8), which is gamma(1/8)
+/// x^(-1/8) <= 8 x^(-1/8), as sqrt(1 + s^2) >= s^(7/8) and gamma(9/8) <= 1; 16/pi < 6.
+majorant majorant_of_y(const ball* order, int sign) {
+  if (sign < 0) return std::nullopt;
+  if (sign_of(*order) == certain_sign::zero) return oscillating("7*(1+1/x)^(1/8)");
+  const formula tail = formula_of_tail(*order);
+  return tail ? oscillating("1+2*(" + *tail + ")/pi") : std::nullopt;
+}
+/// e^|x| for a whole order, by the integral over 0 < t < pi.
+majorant majorant_of_i(const ball* order, int sign) {
+  if (!is_whole(*order)) return std::nullopt;
+  return steady(sign > 0 ? "exp(x)" : "exp(-x)");
+}
+/// By its integral K increases with |order|; and with the least n >= |order| - 1/2,
+/// K_(n + 1/2)(x) = sqrt(pi/(2 x)) e^-x times the sum of (n+k)!/(k! (n-k)! (2 x)^k) over
+/// 0 <= k <= n (DLMF 10.47.9, 10.49.12). With cosh t = 1 + u K_0(x) is e^-x times the integral of
+/// e^(-x u)/sqrt(u (u + 2)) over u > 0, at most gamma(1/8) x^(-1/8), as u (u + 2) >= u^(7/4).
+majorant majorant_of_k(const ball* order, int sign) {
+  constexpr long most = 20;
+  const rational size = most_of(*order);
+  if (sign < 0 || !(size <= most)) return std::nullopt;
+  if (size == 0) return steady("8*exp(-x)*x^(-1/8)");
+  long n = 0;
+  while (rational(2 * n + 1, 2) < size) ++n;
+  std::string sum = "1";
+  integer c = 1;  // (n+k)!/(k! (n-k)!)
+  for (long k = 1; k <= n; ++k) {
+    c = c * (n + k) * (n - k + 1) / k;
+    sum += fmt::format("+{}/(2*x)^{}", c.str(), k);
+  }
+  return steady(fmt::format("sqrt(pi/(2*x))*exp(-x)*({})", sum));
+}
+
+// Near 0, for 0 < x <= 1/2.
+//
+// For nu > -1 J_nu(x), and I_nu(x), is (x/2)^nu/gamma(nu + 1) times the sum of the (-+x^2/4)^k/(k!
+// (nu + 1) ... (nu + k)) (DLMF 10.2.2, 10.25.2): of that the terms with k >= 1 are at most
+// (x^2/4)/(nu + 1) times the sum of the 16^-k/k! over k >= 0, which is at most 2.
+//
+// For nu > 0 K_nu(x) is half of the integral of t^(nu-1) e^(-x t/2) e^(-x/(2 t)) over t > 0 (DLMF
+// 10.32.9, at e^t). With 1 in the place of the last factor it is gamma(nu) (x/2)^-nu/2; and
+// 1 - e^-w is at most min(1, w) <= w^d for w = x/(2 t) and 0 <= d <= 1, so that the rest is at most
+// half of (x/2)^d gamma(nu - d) (x/2)^(d-nu) for d < nu.
+//
+// K_0(x) + (log(x/2) + gamma) I_0(x) and (pi/2) Y_0(x) - (log(x/2) + gamma) J_0(x) are the sums of
+// +-(1 + 1/2 + ... + 1/k) (x^2/4)^k/k!^2 over k >= 1 (DLMF 10.31.2, 10.8.2), in size at most
+// x^2/3 <= 1/12. J_0 and I_0 are 1 but for at most x^2/2, and x^2 |log x| <= x/e < 1/5 and
+// |gamma - log 2| < 1/8: K_0(x) + log x, and (pi/2) Y_0(x) - log x, are at most
+// 1/8 + (1/5 + 1/32)/2 + 1/12 < 1/3 in size.
+bool is_certainly_not_whole(const ball& order) {
+  const rational lower = lower_rational(order);
+  const integer below = floor_of(lower);
+  return lower > below && upper_rational(order) < below + 1;
+}
+leading leading_of_j(const ball* order, int sign) {
+  if (sign < 0) return is_certainly_not_whole(*order) ? not_defined() : std::nullopt;
+  if (!certainly_less(ball(-1, few_bits), *order)) return std::nullopt;
+  return near_zero("(x/2)^nu/gamma(1+nu)", "(x/2)^nu*x^2/(2*gamma(2+nu))");
+}
+leading leading_of_k(const ball* order, int sign) {
+  if (sign < 0) return not_defined();
+  if (sign_of(*order) == certain_sign::zero) return near_zero("-log(x)", "1/3");
+  const std::string size = certainly_negative(*order) ? "(-nu)" : "nu";
+  const ball nu = abs(*order);
+  const std::string main = fmt::format("gamma({0})/2*(x/2)^(-{0})", size);
+  if (certainly_less(ball(1, few_bits), nu)) {  // with d = 1/2
+    return near_zero(main, fmt::format("gamma({0}-1/2)/2*(x/2)^(1-{0})", size));
+  }
+  if (!certainly_positive(nu) || !certainly_less(nu, ball(2, few_bits))) return std::nullopt;
+  return near_zero(main, fmt::format("gamma({}/2)/2", size));  // with d = nu/2
+}
+leading leading_of_y(const ball* order, int sign) {
+  if (sign < 0) return not_defined();
+  if (sign_of(*order) != certain_sign::zero) return std::nullopt;
+  return near_zero("2/pi*log(x)", "2/(3*pi)");
+}
+
+/// J and I: of a negative number where the order is whole; at 0 where it is not negative as well.
+bool may_be_defined_at(known_arguments x) {
+  if (!is_number(x[0]) || !is_number(x[1]) || denominator(x[0]->q) == 1) return true;
+  return x[1]->q > 0 || (x[1]->q == 0 && x[0]->q > 0);
+}
+formula value_at_zero(known_arguments x) {
+  if (!is_exactly(x[1], 0) || !is_number(x[0])) return std::nullopt;
+  if (x[0]->q == 0) return "1";
+  return x[0]->q > 0 || denominator(x[0]->q) == 1 ? formula("0") : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<definition> bessel_functions() {
+  constexpr const char* domain = "x > 0; all x where nu is whole";
+  return {{.what = {"besselJ", "nu, x", "Bessel, of the first kind", domain},
+           .has_order = true,
+           .value = value_of_j,
+           .in_the_way = left_half_unless_whole,
+           .over = bounds_of_j,
+           .slope = "(besselJ(nu-1,x)-besselJ(nu+1,x))/2",
+           .may_be_defined = may_be_defined_at,
+           .simpler = value_at_zero,
+           .bound = majorant_of_j,
+           .near_zero = leading_of_j},
+          {.what = {"besselY", "nu, x", "Bessel, of the second kind", "x > 0"},
+           .has_order = true,
+           .value = value_of_y,
+           .in_the_way = left_half,
+           .over = bounds_of_y,
+           .slope = "(besselY(nu-1,x)-besselY(nu+1,x))/2",
+           .may_be_defined = last_is_positive,
+           .bound = majorant_of_y,
+           .near_zero = leading_of_y},
+          {.what = {"besselI", "nu, x", "modified Bessel, first kind", domain},
+           .has_order = true,
+           .value = value_of_i,
+           .in_the_way = left_half_unless_whole,
+           .over = bounds_of_i,
+           .slope = "(besselI(nu-1,x)+besselI(nu+1,x))/2",
+           .may_be_defined = may_be_defined_at,
+           .simpler = value_at_zero,
+           .bound = majorant_of_i,
+           .near_zero = leading_of_j},
+          {.what = {"besselK", "nu, x", "modified Bessel, second kind", "x > 0"},
+           .has_order = true,
+           .value = value_of_k,
+           .in_the_way = left_half,
+           .over = bounds_of_k,
+           .slope = "-(besselK(nu-1,x)+besselK(nu+1,x))/2",
+           .may_be_defined = last_is_positive,
+           .bound = majorant_of_k,
+           .near_zero = leading_of_k}};
+}
+
+}  // namespace polhode::arb_functions_impl
+
+#endif

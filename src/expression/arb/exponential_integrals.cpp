@@ -1,0 +1,142 @@
+#ifdef POLHODE_WITH_ARB
+
+// Exponential integrals.
+
+#include <optional>
+#include <vector>
+
+#include "definition.hpp"
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/special_functions.hpp"
+
+namespace polhode::arb_functions_impl {
+namespace {
+
+/// E_n(z) is the integral of e^(-z t)/t^n over t > 1, for Re z > 0 (DLMF 8.19.3): it and its
+/// derivative -E_(n-1) are largest at the least Re z.
+void value_of_expint(acb_ptr r, acb_srcptr order, acb_srcptr z, slong p) {
+  arb().acb_hypgeom_expint(r, order, z, p);
+}
+bounds bounds_of_expint(const call& x) {
+  const complex_ball z(least_of(x.z.re));
+  if (!certainly_positive(z.re)) return {};
+  const definition& e = named("expint");
+  const ball less = *x.order - 1;
+  return {value_of(e, {x.order, z}, few_bits).magnitude_upper(),
+          value_of(e, {&less, z}, few_bits).magnitude_upper()};
+}
+
+/// Ei for Re z > 0; -E_1(-z) for Re z < 0, which is Ei(x) for x < 0.
+void value_of_ei(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) {
+  if (arb().arb_is_positive(acb_realref(z)) != 0) return arb().acb_hypgeom_ei(r, z, p);
+  const arb_number one(complex_ball(1, few_bits));
+  arb_number minus_z;
+  arb().arb_neg(acb_realref(minus_z.get()), acb_realref(z));
+  arb().arb_neg(acb_imagref(minus_z.get()), acb_imagref(z));
+  arb().acb_hypgeom_expint(r, one.get(), minus_z.get(), p);
+  arb().arb_neg(acb_realref(r), acb_realref(r));
+  arb().arb_neg(acb_imagref(r), acb_imagref(r));
+}
+obstacle around_zero(const call& x) {
+  return certainly_positive(x.z.re) || certainly_negative(x.z.re) ? obstacle::none
+                                                                  : obstacle::branch_cut;
+}
+/// |e^z/z|.
+bounds bounds_of_ei(const call& x) {
+  return {magnitude::infinity(),
+          divide_up(exp(x.z.re.with_precision(few_bits)).magnitude_upper(), x.z.magnitude_lower())};
+}
+
+/// sin(z)/z is the integral of cos(z t) over 0 < t < 1, and so at most e^|Im z|.
+void value_of_si(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) { arb().acb_hypgeom_si(r, z, p); }
+ball slope_of_si(const ball*, const ball& x) {
+  const ball quotient = sin(x) / x;
+  return quotient.is_bounded() ? quotient : hull(ball(-1, x.precision()), ball(1, x.precision()));
+}
+bounds bounds_of_si(const call& x) {
+  return {magnitude::infinity(), exp(greatest_size(x.z.im)).magnitude_upper()};
+}
+/// |cos(z)/z| <= e^|Im z|/|z|.
+void value_of_ci(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) { arb().acb_hypgeom_ci(r, z, p); }
+bounds bounds_of_ci(const call& x) {
+  return {magnitude::infinity(),
+          divide_up(exp(greatest_size(x.z.im)).magnitude_upper(), x.z.magnitude_lower())};
+}
+
+// For x > 0: E_n(x) = e^-x times the integral of e^(-x s)/(1 + s)^n over s > 0, at most e^-x/x
+// where n >= 0, and e^-x gamma(1/8) x^(-1/8) where n >= 1, as 1 + s >= s^(7/8). -Ei(-x) = E_1(x).
+// |Ei(x)| is at most gamma + |log x| and the integral of (e^t - 1)/t <= e^t over 0 < t < x, with
+// gamma < 1, log x <= 2 sqrt(x) <= 2 e^x and -log x <= 8 x^(-1/8) - 8: at most 3 e^x + 8 x^(-1/8).
+// Si rises and falls in ever smaller steps, the first and greatest up to Si(pi) <= pi, as sin(t)/t
+// <= 1. -Ci(x) is the integral of cos(t)/t over t > x, which is -sin(x)/x and that of sin(t)/t^2:
+// at most 2/x from 1 on, and before that at most 2 - log x.
+majorant majorant_of_expint(const ball* order, int sign) {
+  if (sign < 0 || !certainly_less_equal(ball(0, few_bits), *order)) return std::nullopt;
+  return steady(certainly_less_equal(ball(1, few_bits), *order) ? "8*exp(-x)*x^(-1/8)"
+                                                                : "exp(-x)/x");
+}
+majorant majorant_of_ei(const ball*, int sign) {
+  return steady(sign < 0 ? "8*exp(x)*(-x)^(-1/8)" : "11*exp(x)*(1+1/x)^(1/8)");
+}
+
+// For 0 < x <= 1/2 E_1(x) is -log x - gamma and the integral of (1 - e^-t)/t <= 1 over 0 < t < x;
+// Ei(x) is gamma + log x and that of (e^t - 1)/t <= e^t, which is at most sqrt(e)/2 < 9/10; Ci(x)
+// is gamma + log x less that of (1 - cos t)/t <= t/2 (DLMF 6.2.4, 6.2.7, 6.2.13); and 1/2 < gamma <
+// 3/5.
+leading leading_of_expint(const ball* order, int sign) {
+  if (sign < 0) return not_defined();
+  if (!order->is_exact() || lower_rational(*order) != 1) return std::nullopt;
+  return near_zero("-log(x)", "3/5");
+}
+leading leading_of_ei(const ball*, int sign) {
+  return sign > 0 ? near_zero("log(x)", "3/2") : near_zero("log(-x)", "3/5");
+}
+leading leading_of_ci(const ball*, int sign) {
+  return sign > 0 ? near_zero("log(x)", "3/5") : not_defined();
+}
+
+}  // namespace
+
+std::vector<definition> exponential_integrals() {
+  const auto is_not_zero = [](known_arguments x) { return !is_exactly(x[0], 0); };
+  const auto zero_at_zero = [](known_arguments x) {
+    return is_exactly(x[0], 0) ? formula("0") : std::nullopt;
+  };
+  return {{.what = {"expint", "n, x", "E_n, exponential integral", "x > 0"},
+           .has_order = true,
+           .value = value_of_expint,
+           .in_the_way = left_half,
+           .over = bounds_of_expint,
+           .slope = "-expint(n-1,x)",
+           .may_be_defined = last_is_positive,
+           .bound = majorant_of_expint,
+           .near_zero = leading_of_expint},
+          {.what = {"Ei", "x", "exponential integral", "x != 0"},
+           .value = value_of_ei,
+           .in_the_way = around_zero,
+           .over = bounds_of_ei,
+           .slope = "exp(x)/x",
+           .may_be_defined = is_not_zero,
+           .bound = majorant_of_ei,
+           .near_zero = leading_of_ei},
+          {.what = {"Si", "x", "sine integral", "all x"},
+           .value = value_of_si,
+           .over = bounds_of_si,
+           .slope = "sin(x)/x",
+           .simpler = zero_at_zero,
+           .bound = [](const ball*, int) { return oscillating("pi"); },
+           .slope_over = slope_of_si},
+          {.what = {"Ci", "x", "cosine integral", "x > 0"},
+           .value = value_of_ci,
+           .in_the_way = left_half,
+           .over = bounds_of_ci,
+           .slope = "cos(x)/x",
+           .may_be_defined = last_is_positive,
+           .bound = [](const ball*,
+                       int sign) { return sign > 0 ? oscillating("8*x^(-1/8)") : std::nullopt; },
+           .near_zero = leading_of_ci}};
+}
+
+}  // namespace polhode::arb_functions_impl
+
+#endif

@@ -1,0 +1,234 @@
+#ifdef POLHODE_WITH_ARB
+
+// The digamma function, Lambert's W, polylogarithms and the zeta function.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "definition.hpp"
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/special_functions.hpp"
+
+namespace polhode::arb_functions_impl {
+namespace {
+
+/// psi' = polygamma(1, x) (DLMF 5.15.1).
+std::vector<ball> slope_of_digamma(std::span<const ball> x) {
+  const arb_number at{complex_ball(x[0])};
+  const arb_number one(complex_ball(1, few_bits));
+  arb_number r;
+  const precision p = x[0].precision();
+  arb().acb_polygamma(r.get(), one.get(), at.get(), p + 32);
+  return {r.to_complex_ball(p).re};
+}
+bool has_digamma(known_arguments x) {
+  return !is_number(x[0]) || x[0]->q > 0 || denominator(x[0]->q) != 1;
+}
+/// The branch that is real for x >= -1/e, off the cut below. For x > 0 it is at most w = log(1 +
+/// x), as w e^w = (1 + x) log(1 + x) >= x.
+void value_of_lambert(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) {
+  const fmpz_t branch{0};
+  arb().acb_lambertw(r, z, branch, 0, p);
+}
+obstacle cut_of_lambert(const call& x) {
+  const bool is_off = certainly_positive(x.z.im) || certainly_negative(x.z.im) ||
+                      certainly_less(-exp(ball(-1, x.z.precision() + 16)), x.z.re);
+  return is_off ? obstacle::none : obstacle::branch_cut;
+}
+
+/// The sum of z^k/k^2, continued off the cut from 1 on.
+void value_of_dilog(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) {
+  arb().acb_hypgeom_dilog(r, z, p);
+}
+obstacle cut_of_dilog(const call& x) {
+  const bool is_off = certainly_positive(x.z.im) || certainly_negative(x.z.im) ||
+                      certainly_less(x.z.re, ball(1, 2));
+  return is_off ? obstacle::none : obstacle::branch_cut;
+}
+
+/// Over real numbers up to 1 of a function that increases up to there, and is continuous at 1.
+ball between_values(const definition& f, const ball* order, const ball& x, precision p) {
+  detail::mpfr_cell end(p + 64);
+  x.upper(end.get());
+  const ball upper(end.get());
+  if (!certainly_less_equal(upper, ball(1, 2)) || !x.is_bounded()) return ball::undefined(p);
+  x.lower(end.get());
+  return hull(value_of(f, {order, complex_ball(ball(end.get()))}, p).re,
+              value_of(f, {order, complex_ball(upper)}, p).re);
+}
+/// Its slope is -log(1 - x)/x > 0.
+ball dilog_over(const ball*, const ball& x, precision p) {
+  return between_values(named("dilog"), nullptr, x, p);
+}
+
+// For s > 0 and z off [1, inf) Li_s(z)/z is the integral of t^(s-1)/(e^t - z) over t > 0, over
+// gamma(s) (DLMF 25.12.11). Where Re z <= x < 1, |e^t - z| >= e^t - x: so |Li_s(z)/z| <= Li_s(x)/x,
+// which increases with x, and is 1 at 0; and Li_s'(z) = Li_(s-1)(z)/z (DLMF 25.12.10).
+void value_of_polylog(acb_ptr r, acb_srcptr order, acb_srcptr z, slong p) {
+  arb().acb_polylog(r, order, z, p);
+}
+bounds bounds_of_polylog(const call& x) {
+  const rational least(1, 1024);
+  detail::mpfr_cell upper(few_bits);
+  x.z.re.upper(upper.get());
+  const ball most = ball(upper.get());
+  if (!certainly_less(ball(1, few_bits), *x.order) || !certainly_less(most, ball(1, few_bits))) {
+    return {};
+  }
+  const ball at = certainly_less(ball(least, few_bits), most) ? most : ball(least, few_bits);
+  const auto quotient = [&](const ball& order) {
+    return value_of(named("polylog"), {&order, complex_ball(at)}, few_bits).re / at;
+  };
+  return {multiply_up(x.z.magnitude_upper(), quotient(*x.order).magnitude_upper()),
+          quotient(*x.order - 1).magnitude_upper()};
+}
+/// Li_(s-1)(x)/x, which for s > 1 increases with x < 1.
+ball slope_of_polylog(const ball* order, const ball& x) {
+  const precision p = x.precision();
+  const ball less = *order - 1;
+  const auto quotient = [&](const ball& at) {
+    if (sign_of(at) == certain_sign::zero) return ball(1, p);
+    return value_or_undefined(named("polylog"), {&less, complex_ball(at)}, p).re / at;
+  };
+  if (!certainly_positive(less) || !x.is_bounded()) return quotient(x);
+  detail::mpfr_cell lower(p);
+  detail::mpfr_cell upper(p);
+  x.lower(lower.get());
+  x.upper(upper.get());
+  return hull(quotient(ball(lower.get())), quotient(ball(upper.get())));
+}
+/// For s >= 0 and |x| <= 1/2 the terms with k >= 2 are at most the sum of the |x|^k, 2 |x|^2.
+leading leading_of_polylog(const ball* order, int) {
+  const bool is_known = order == nullptr || certainly_less_equal(ball(0, few_bits), *order);
+  return is_known ? near_zero("x", "2*x^2") : std::nullopt;
+}
+/// For s > 1 it increases up to x = 1, where it is continuous.
+ball polylog_over(const ball* order, const ball& x, precision p) {
+  const definition& f = named("polylog");
+  if (certainly_less(x, ball(1, few_bits)) || !certainly_less(ball(1, few_bits), *order)) {
+    const call at{order, complex_ball(x)};
+    return value_or_undefined(f, at, p).re;
+  }
+  return between_values(f, order, x, p);
+}
+
+// For Re z = x > 0 zeta(z) = z/(z - 1) - z times the integral of {t} t^(-z-1) over t > 1 (DLMF
+// 25.2.8), and that of t^(-x-1) log(t)^k is k!/x^(k+1): so |zeta| is at most |z/(z - 1)| + |z|/x,
+// |zeta'| at most |z - 1|^-2 + 1/x + |z|/x^2, and |zeta''| at most 2 |z - 1|^-3 + 2/x^2 +
+// 2 |z|/x^3.
+void value_of_zeta(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) { arb().acb_zeta(r, z, p); }
+obstacle pole_of_zeta(const call& x) {
+  return contains_zero(x.z.re - 1) && contains_zero(x.z.im) ? obstacle::pole : obstacle::none;
+}
+bounds bounds_of_zeta(const call& x) {
+  const ball least = least_of(x.z.re);
+  if (!certainly_positive(least)) return {};
+  const ball z = upper_of(x.z.magnitude_upper());
+  const ball distance = abs(x.z - 1).with_precision(few_bits);
+  const ball size = z / distance + z / least;
+  const ball slope = 1 / square(distance) + 1 / least + z / square(least);
+  if (!slope.is_bounded()) return {};
+  return {size.magnitude_upper(), slope.magnitude_upper()};
+}
+ball derivative_of_zeta(const ball& x) {
+  const arb_number at{complex_ball(x)};
+  detail::arb_jet jet;
+  arb().acb_dirichlet_zeta_jet(jet.get(), at.get(), 0, 2, x.precision() + 32);
+  return jet.derivative(x.precision()).re;
+}
+/// zeta' over a set of real numbers.
+ball slope_of_zeta(const ball*, const ball& x) {
+  const ball least = least_of(x);
+  if (x.is_exact() || !certainly_positive(least)) return derivative_of_zeta(x);
+  const ball distance = abs(x - 1).with_precision(few_bits);
+  const ball curvature =
+      2 / pow(distance, 3) + 2 / square(least) + 2 * upper_of(x.magnitude_upper()) / pow(least, 3);
+  if (!curvature.is_bounded()) return ball::undefined(x.precision());
+  return derivative_of_zeta(x.middle())
+      .enlarged(multiply_up(x.radius(), curvature.magnitude_upper()));
+}
+
+}  // namespace
+
+std::vector<definition> other_functions() {
+  return {
+      {.what = {"lambertW", "x", "w with w e^w = x, w >= -1", "x >= -1/e"},
+       .value = value_of_lambert,
+       .in_the_way = cut_of_lambert,
+       .slope = "1/(exp(lambertW(x))*(1+lambertW(x)))",
+       .simpler =
+           [](known_arguments x) { return is_exactly(x[0], 0) ? formula("0") : std::nullopt; },
+       .bound = [](const ball*, int sign) { return sign > 0 ? steady("log(1+x)") : std::nullopt; }},
+      {.what = {"dilog", "x", "dilogarithm, sum of x^k/k^2", "x <= 1"},
+       .value = value_of_dilog,
+       .in_the_way = cut_of_dilog,
+       .slope = "-log(1-x)/x",
+       .may_be_defined = [](known_arguments x) { return !is_number(x[0]) || x[0]->q <= 1; },
+       .simpler = [](known_arguments x) -> formula {
+         if (is_exactly(x[0], 0)) return "0";
+         if (is_exactly(x[0], 1)) return "pi^2/6";
+         if (is_exactly(x[0], -1)) return "-pi^2/12";
+         return std::nullopt;
+       },
+       .over_reals = dilog_over,
+       .near_zero = leading_of_polylog},
+      {.what = {"polylog", "s, x", "polylogarithm, sum of x^k/k^s", "x < 1; x = 1 where s > 1"},
+       .has_order = true,
+       .value = value_of_polylog,
+       .in_the_way = cut_of_dilog,
+       .over = bounds_of_polylog,
+       .slope = "polylog(s-1,x)/x",
+       .may_be_defined =
+           [](known_arguments x) {
+             return !is_number(x[1]) || x[1]->q < 1 ||
+                    (x[1]->q == 1 && (!is_number(x[0]) || x[0]->q > 1));
+           },
+       .simpler = [](known_arguments x) -> formula {
+         if (is_exactly(x[1], 0)) return "0";
+         if (is_exactly(x[1], 1) && is_number(x[0])) return "zeta(s)";
+         if (is_exactly(x[0], 1)) return "-log(1-x)";
+         return is_exactly(x[0], 2) ? formula("dilog(x)") : std::nullopt;
+       },
+       // |Li_s(x)/x| <= 1 for x < 0.
+       .bound = [](const ball* order, int sign) -> majorant {
+         const bool is_known = sign < 0 && certainly_positive(*order);
+         return is_known ? steady("-x") : std::nullopt;
+       },
+       .slope_over = slope_of_polylog,
+       .over_reals = polylog_over,
+       .near_zero = leading_of_polylog},
+      {.what = {"zeta", "s", "Riemann's zeta function", "s != 1"},
+       .value = value_of_zeta,
+       .in_the_way = pole_of_zeta,
+       .over = bounds_of_zeta,
+       .may_be_defined = [](known_arguments x) { return !is_exactly(x[0], 1); },
+       .bound = [](const ball*, int sign) -> majorant {
+         return sign > 0 ? steady("1+s/abs(s-1)") : std::nullopt;
+       },
+       .slope_over = slope_of_zeta}};
+}
+
+further_function digamma_function() {
+  further_function result;
+  result.what = {"digamma", "x", "(log |gamma(x)|)'", "no whole number <= 0"};
+  result.value = [](std::span<const ball> x) { return digamma(x[0]); };
+  result.gradient = slope_of_digamma;
+  result.slope = "polygamma(1,x)";
+  result.may_be_defined = has_digamma;
+  result.over_regions = [](std::span<const region> x) { return digamma(x[0]); };
+  // For x > 0 log Gamma is convex: psi(x) <= log Gamma(x + 1) - log Gamma(x) = log x <= psi(x + 1),
+  // which is psi(x) + 1/x, and -log x <= 1/x.
+  result.majorant = [](std::span<const ball>, int sign) -> majorant {
+    if (sign < 0) return std::nullopt;
+    return steady("log(1+x)+2/x");
+  };
+  // psi(x) = psi(1 + x) - 1/x, and psi increases from psi(1/2) > -2 to psi(3/2) < 1 (DLMF 5.4.13,
+  // 5.5.2).
+  result.near_zero = [](std::span<const ball>, int) { return near_zero("-1/x", "2"); };
+  return result;
+}
+
+}  // namespace polhode::arb_functions_impl
+
+#endif
