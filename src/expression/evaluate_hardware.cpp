@@ -73,6 +73,14 @@ struct supplement<double> {
   static double sinpi(double x) { return std::sin(std::numbers::pi * std::fmod(x, 2.0)); }
   static double cospi(double x) { return std::cos(std::numbers::pi * std::fmod(x, 2.0)); }
   static double agm(double x, double y) { return arithmetic_geometric_mean(x, y); }
+  static double from(const ball& x) {
+    const mpfr_float middle = midpoint(x);
+    return mpfr_get_d(middle.backend().data(), MPFR_RNDN);
+  }
+  template <class F, class Range>
+  static double further(const F& f, const Range& x) {
+    return from(value_at_balls(f, x, [](double a) { return ball::exactly(a, 64); }));
+  }
   static double power_integer(double x, long n) { return std::pow(x, static_cast<double>(n)); }
   static double root(double x, long n) {
     const double size = std::pow(std::abs(x), 1.0 / static_cast<double>(n));

@@ -63,6 +63,16 @@ struct supplement<mpfr_float> {
 #undef POLHODE_MPFR_OF_ONE
 #undef POLHODE_MPFR_OF_TWO_AS
 #undef POLHODE_MPFR_OF_TWO
+  static mpfr_float from(const ball& x) { return midpoint(x); }
+  static mpfr_float copy(const mpfr_float& x) {
+    mpfr_float r = zero_of_precision(precision_of(x));
+    mpfr_set(r.backend().data(), x.backend().data(), MPFR_RNDN);
+    return r;
+  }
+  template <class F, class Range>
+  static mpfr_float further(const F& f, const Range& x) {
+    return from(value_at_balls(f, x, [](const mpfr_float& a) { return ball(a); }));
+  }
   // Macros of mpfr.h, or functions with other arguments.
   static mpfr_float negate(const mpfr_float& x) {
     return of_one([](mpfr_ptr r, mpfr_srcptr a, mpfr_rnd_t d) { return mpfr_neg(r, a, d); }, x);

@@ -294,9 +294,29 @@ node_id negate(graph& g, node_id x) {
   return g.make(operation::negate, x);
 }
 
+namespace {
+
+/// (-1)^n = 1 - 2 n + 4 floor(n/2) of n = floor(u), where floor(n/2) = floor(u/2); ceil(u) is
+/// -floor(-u). Nothing for other exponents.
+std::optional<node_id> power_of_minus_one(graph& g, node_id exponent) {
+  const operation what = g[exponent].what;
+  if (what != operation::floor && what != operation::ceil) return std::nullopt;
+  const node_id operand = g[exponent].left;
+  const node_id u = what == operation::floor ? operand : negate(g, operand);
+  const auto floor_of = [&](node_id v) { return g.make(operation::floor, v); };
+  const node_id twice = multiply(g, g.number(2), floor_of(u));
+  const node_id half = floor_of(divide(g, u, g.number(2)));
+  return add(g, subtract(g, g.number(1), twice), multiply(g, g.number(4), half));
+}
+
+}  // namespace
+
 node_id power(graph& g, node_id x, node_id y) {
   const rational* exponent = g.value(y);
   if (exponent == nullptr) {
+    if (is_number(g, x, -1)) {
+      if (const auto sign = power_of_minus_one(g, y)) return *sign;
+    }
     return is_e(g, x) ? g.make(operation::exp, y) : g.make(operation::power, x, y);
   }
   if (const std::optional<long> n = as_long(*exponent)) return power_to_long(g, x, *n);

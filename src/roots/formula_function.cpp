@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/gamma_quotients.hpp"
 #include "polhode/expression/evaluation.hpp"
 #include "polhode/expression/symbol.hpp"
 #include "polhode/quadrature/integrate.hpp"
@@ -23,26 +24,6 @@ namespace polhode {
 namespace detail {
 namespace {
 
-/// 1/Gamma(x) = x (x+1) ... (x+n-1)/Gamma(x+n) (DLMF 5.5.1), with n such that x + n > 0 on the
-/// whole set: defined beside the poles of Gamma and at them. Undefined where that takes many
-/// factors.
-jet<ball, 1> reciprocal_gamma(const jet<ball, 1>& x) {
-  constexpr long most_factors = 1000;
-  jet<ball, 1> none = value_alone<1>(ball::undefined(x[0].precision()), 1);
-  if (!x[0].is_bounded() || certainly_less(x[0], ball(-most_factors, 64))) return none;
-  jet<ball, 1> result = jet<ball, 1>::constant(ball(1, x[0].precision()));
-  jet<ball, 1> y = x;
-  long factors = 0;
-  while (!certainly_positive(y[0] - rational(1, 2))) {
-    if (++factors > most_factors) return none;
-    result *= y;
-    y += jet<ball, 1>::constant(ball(1, x[0].precision()));
-  }
-  jet<ball, 1> inverse;
-  inverse[0] = 1 / polhode::gamma(y[0]);
-  inverse[1] = -inverse[0] * digamma(y[0]) * y[1];
-  return result * inverse;
-}
 ball reciprocal_gamma(const ball& x) { return reciprocal_gamma(jet<ball, 1>::constant(x))[0]; }
 
 }  // namespace
@@ -97,15 +78,32 @@ struct supplement<function_structure> {
         },
         nullptr);
   }
-  /// A new factor, over its natural domain, without a series.
+  /// A new factor, over its natural domain, without a series; or a quotient of two.
   template <class F, class Range>
   static function_structure further(const F& f, const Range& x) {
+    if constexpr (std::same_as<F, further_function>) {
+      if (f.numerator) return applied_once(f.numerator, x[0]) / applied_once(f.divisor, x[0]);
+    }
     return function_structure::applied_to_many(
         {x.begin(), x.end()}, [&](const std::vector<jet<ball, 1>>& t) { return on_jets(f, t); },
         [&](const std::vector<ball>& t) { return f.value(t); });
   }
 
  private:
+  static function_structure applied_once(const std::function<jet<ball, 1>(const jet<ball, 1>&)>& f,
+                                         const function_structure& x) {
+    const auto at = [&](const ball& t) { return f(jet<ball, 1>::constant(t))[0]; };
+    return function_structure::applied(
+        x,
+        [&](const auto& t) {
+          if constexpr (std::same_as<std::remove_cvref_t<decltype(t)>, ball>) {
+            return at(t);
+          } else {
+            return f(t);
+          }
+        },
+        [&](const ball& t) { return std::optional<ball>(at(t)); }, nullptr);
+  }
   static jet<ball, 1> on_jets(const further_function& f, const std::vector<jet<ball, 1>>& t) {
     return value_over<jet<ball, 1>>(f, t);
   }

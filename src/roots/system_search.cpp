@@ -11,6 +11,7 @@
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/symbol.hpp"
 #include "polhode/roots/systems.hpp"
+#include "polynomial/elimination.hpp"
 #include "tiling.hpp"
 
 namespace polhode {
@@ -56,6 +57,11 @@ class system_searcher {
   system_searcher(system_search& s, const system_options& options)
       : s_(s), options_(options), hardware_(s.f_.components()) {
     for (const auto& [low, high] : s.range_) whole_.push_back(side_of(low, high));
+    if (is_bounded(whole_)) return;
+    for (const auto& p : detail::eliminants(s.f_.components())) {
+      const auto bound = p ? std::optional(root_bound(*p)) : std::nullopt;
+      within_.push_back(bound ? side_of(-*bound, *bound) : side_of(std::nullopt, std::nullopt));
+    }
   }
 
   [[nodiscard]] long evaluations_in_hardware() const { return hardware_.evaluations(); }
@@ -124,6 +130,10 @@ class system_searcher {
   system_outcome examine(vector x) {
     for (std::size_t i = 0; i < s_.found_.size(); ++i) {
       if (holds(s_.found_[i].box, x)) return {.what = kind::known, .left_over = {}, .known = i};
+    }
+    for (std::size_t i = 0; i < within_.size(); ++i) {
+      if (!overlaps(x[i], within_[i])) return {};
+      if (!x[i].is_bounded()) x[i] = intersection(x[i], within_[i]);
     }
     using outcome = detail::hardware_system::outcome;
     const outcome in_hardware = cut(x);
@@ -365,6 +375,7 @@ class system_searcher {
   const system_options& options_;
   detail::hardware_system hardware_;
   vector whole_;
+  vector within_;  // all solutions, of a box that is not bounded
 };
 
 system_search::system_search(real_system f, system_box box)

@@ -126,7 +126,8 @@ square_matrix any_matrix(maker& m, std::size_t n) {
   return a;
 }
 
-system_case any_system(maker& m) {
+/// Of polynomials alone, on the whole space, where so asked for.
+system_case any_system(maker& m, bool polynomials = false) {
   const std::size_t n = m.one_in(4) ? 3 : 2;
   system_case c{any_matrix(m, n), any_matrix(m, n), {}, any_matrix(m, n), {}, {}};
   for (std::size_t i = 0; i < n; ++i) {
@@ -140,12 +141,18 @@ system_case any_system(maker& m) {
       const bool is_new = std::none_of(own.begin(), own.end(),
                                        [&](const system_factor& f) { return f.root == root; });
       if (!is_new) continue;
-      own.push_back({m.any_of({shape::line, shape::line, shape::exponential, shape::hyperbolic_sine,
-                               shape::cubic, shape::arc_tangent}),
+      own.push_back({polynomials
+                         ? shape::line
+                         : m.any_of({shape::line, shape::line, shape::exponential,
+                                     shape::hyperbolic_sine, shape::cubic, shape::arc_tangent}),
                      root});
     }
     c.factors.push_back(std::move(own));
     c.box.emplace_back(rational(m.between(-40, -1), 10), rational(m.between(1, 40), 10));
+  }
+  if (polynomials) {
+    c.box.assign(n, {});
+    return c;
   }
   // At times a root is on a face, or in a corner.
   if (m.one_in(4)) {
@@ -341,10 +348,10 @@ shown by_signs(const real_system& f, const std::vector<ball>& enclosure) {
   return shown::nothing;
 }
 
-TEST(systems, have_the_known_roots_and_no_others) {
-  run_cases("roots", "systems with known roots", 60, [](std::uint64_t seed, counts& c) {
+void find_known_roots(const char* family, bool polynomials) {
+  run_cases("roots", family, 60, [polynomials](std::uint64_t seed, counts& c) {
     maker m(seed);
-    const system_case given = any_system(m);
+    const system_case given = any_system(m, polynomials);
     under_way(fmt::format("a system with the seed {}", seed));
     ++c.cases;
     const system_root_set s =
@@ -357,6 +364,13 @@ TEST(systems, have_the_known_roots_and_no_others) {
       ADD_FAILURE() << "with the seed " << seed << ": " << *error;
     }
   });
+}
+
+TEST(systems, have_the_known_roots_and_no_others) {
+  find_known_roots("systems with known roots", false);
+}
+TEST(systems, of_polynomials_have_the_known_roots_and_no_others) {
+  find_known_roots("polynomial systems on the whole space", true);
 }
 
 TEST(systems, keep_the_root_that_was_planted) {

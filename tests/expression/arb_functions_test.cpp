@@ -226,6 +226,39 @@ TEST_F(ArbFunctions, HaveDerivatives) {
   }
 }
 
+/// Beside their poles, at them, and over sets.
+TEST_F(ArbFunctions, AreQuotientsOfWhatIsAnalytic) {
+  const precision p = 128;
+  int functions = 0;
+  for (const further_function& f : *arb_functions()) {
+    if (!f.numerator) continue;
+    SCOPED_TRACE(f.what.name);
+    ++functions;
+    for (support::repeat trial(100); trial.again();) {
+      const rational middle = random.one_in(2) ? between(-5, 5) : rational(random.between(-4, 2));
+      const rational half = scattered(-2);
+      const ball set = from_end_points(rational(middle - half), rational(middle + half), p);
+      const rational at = middle + half * rational(random.between(-4, 4), 4);
+      const ball x(at, p);
+      const auto over = jet<ball, 1>::variable(set);
+      const auto point = jet<ball, 1>::variable(x);
+      for (const auto& part : {f.numerator, f.divisor}) {
+        const jet<ball, 1> values = part(over);
+        const jet<ball, 1> value = part(point);
+        ASSERT_TRUE(value[0].is_bounded() && value[1].is_bounded()) << x;
+        EXPECT_TRUE(overlaps(values[0], value[0])) << x << " " << set;
+        EXPECT_TRUE(overlaps(values[1], value[1])) << x << " " << set;
+      }
+      const ball known = f.value(std::array{x});
+      if (!known.is_bounded()) continue;
+      const jet<ball, 1> quotient = f.numerator(point) / f.divisor(point);
+      EXPECT_TRUE(overlaps(quotient[0], known)) << x;
+      EXPECT_TRUE(overlaps(quotient[1], f.gradient(std::array{x}).back())) << x;
+    }
+  }
+  EXPECT_EQ(functions, 2);
+}
+
 TEST_F(ArbFunctions, LieBelowTheirMajorants) {
   const precision p = 200;
   for (const further_function& f : *arb_functions()) {

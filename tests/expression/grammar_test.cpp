@@ -156,6 +156,20 @@ TEST(Grammar, SignIsExact) {
   EXPECT_TRUE(contains(around_zero, -1) && contains(around_zero, 0) && contains(around_zero, 1));
 }
 
+TEST(Grammar, MinusOneToAWholePart) {
+  for (const char* whole : {"floor", "ceil"}) {
+    const expression f = parse("(-1)^" + std::string(whole) + "(x)", {"x"});
+    for (long k = -12; k <= 12; ++k) {
+      const rational x(k, 4);
+      const integer n = whole[0] == 'f' ? floor_of(x) : ceil_of(x);
+      const long expected = n % 2 == 0 ? 1 : -1;
+      EXPECT_EQ(lower_rational(f(ball(x, 64))), expected) << whole << x;
+    }
+    const ball around = f(hull(ball(rational(1, 4), 64), ball(rational(5, 4), 64)));
+    EXPECT_TRUE(contains(around, 1) && contains(around, -1));
+  }
+}
+
 TEST(Grammar, ExactValuesOfFunctions) {
   const std::pair<const char*, const char*> values[] = {
       {"sqrt(4/9)", "2/3"},

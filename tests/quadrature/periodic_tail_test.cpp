@@ -210,6 +210,8 @@ TEST(PeriodicTail, OfMeanZeroMayDecaySlowly) {
   EXPECT_TRUE(overlaps(of("(x - floor(x) - 1/2)/x", 1, inf), log(2 * pi(p)) / 2 - 1));
   const ball zeta_3_2 = ball(parse_rational("2.6123753486854883433485675679"), p)
                             .enlarged(magnitude::power_of_two(-90));
+  // The sum of (-1)^n log((n+1)/n) over n >= 1: Wallis's product.
+  EXPECT_TRUE(overlaps(of("(-1)^floor(x)/x", 1, inf), log(2 / pi(p))));
   EXPECT_TRUE(overlaps(of("(x - floor(x) - 1/2)/sqrt(x)", 1, inf),
                        rational(1, 3) - zeta_3_2 / (2 * pi(p))));
   // Of several terms whose means cancel.

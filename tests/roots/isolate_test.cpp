@@ -632,6 +632,42 @@ TEST(IsolateRoots, OfGamma) {
   expect_resolved(isolate_roots(parse("gamma(x)^2 - 1"), rational(-11, 2), 5), 9);
 }
 
+/// Between and beside their poles.
+TEST(IsolateRoots, OfDigammaAndZeta) {
+  if (arb_functions()->empty()) GTEST_SKIP() << "the library was built without Arb";
+  const root_set s = isolate_roots(parse("digamma(x)"), rational(-11, 2), 5);
+  expect_resolved(s, 6);
+  ASSERT_EQ(s.singular.size(), 6U);
+  for (std::size_t k = 0; k < 6; ++k) {
+    EXPECT_EQ(s.singular[k].pole_order, 1);
+    EXPECT_TRUE(contains(s.singular[k].place, static_cast<long>(k) - 5));
+  }
+  EXPECT_TRUE(overlaps(s.regions.back().enclosure, parse_ball("1.4616321449683623412", 64)));
+  const root_set z = isolate_roots(parse("zeta(x) - 2"), rational(-5, 2), 5);
+  expect_resolved(z, 1);
+  EXPECT_TRUE(overlaps(z.regions[0].enclosure, parse_ball("1.7286472389981836181351", 70)));
+  expect_resolved(isolate_roots(parse("zeta(x) + 1"), rational(-1), 5), 1);
+  // The quotient is the function, and its derivative the function's.
+  for (const char* text : {"digamma(x)", "zeta(x)"}) {
+    for (const char* at : {"-7/2", "1/3", "4", "-0.01", "5/4"}) {
+      const ball x = parse_ball(at, 100);
+      const expression f = parse(text);
+      const auto structure = real_function(f).structure(function_structure::variable(x, x));
+      ASSERT_TRUE(structure);
+      const auto value = f.evaluator<jet<ball, 1>>(100)(jet<ball, 1>::variable(x));
+      EXPECT_TRUE(overlaps(structure->over()[0], value[0])) << text << at;
+      EXPECT_TRUE(overlaps(structure->over()[1], value[1])) << text << at;
+      // And over a set around the point, at its end.
+      const ball wide = x.enlarged(magnitude::power_of_two(-7));
+      const ball end = (x + ball(rational(1, 128), 100)).middle();
+      const auto around = real_function(f).structure(function_structure::variable(wide, x));
+      const auto there = f.evaluator<jet<ball, 1>>(100)(jet<ball, 1>::variable(end));
+      EXPECT_TRUE(overlaps(around->over()[0], there[0])) << text << at;
+      EXPECT_TRUE(overlaps(around->over()[1], there[1])) << text << at;
+    }
+  }
+}
+
 TEST(IsolateRoots, OfAPeriodicFunction) {
   const end_point infinity = end_point::infinity();
   const auto by_period = [](const char* f, const end_point& lower, const end_point& upper) {

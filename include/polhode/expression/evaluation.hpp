@@ -3,11 +3,11 @@
 // How a compiled formula is evaluated over a type T: the instructions one after another, in slots
 // that are used again. Needed only for a T beyond those that expression.hpp lists.
 //
-// T needs the operators + - * / and pow(x, n). A named function is looked for in three places:
-// supplement<T>, where T spells it otherwise than by its name; the function of that name that is
-// found by its argument; and, where there is none, what T answers of a function that is known over
-// balls alone (value_over). So a row of function_table.hpp and a function over balls are enough for
-// every T to have an answer, if only that the function is not available.
+// What T must offer is the concept formula_arithmetic. What it does otherwise than by the names of
+// the table, or in a way of its own, it says in supplement<T>: functions and operators, the answer
+// to a function that is known over balls alone (further), and numbers. A named function that is in
+// neither is one that is known over balls. So a row of function_table.hpp and a function over balls
+// are enough for every T to have an answer, if only that the function is not available.
 
 #include <array>
 #include <concepts>
@@ -29,9 +29,37 @@ namespace detail {
 /// T's way (a double, or an mpfr_float, is rounded). power_integer(x, n), power(x, y) and root(x,
 /// n) are x^n, x^y and the real root; add, subtract, multiply, divide and negate stand for T's
 /// operators. `further(f, arguments)` is T's answer for a function that is known by f.value over
-/// balls.
+/// balls, where arguments is a range of T or of references to them; without it T answers that f is
+/// blocked. number(q) and constant(i) are a rational number and a constant such as pi, of a T that
+/// knows more of them than an enclosure; from(x) is the number in a ball x, else T(x); copy(x) is x
+/// with its precision, where T's copies may have another.
 template <class T>
 struct supplement {};
+
+/// f(x) with these balls for the arguments x.
+template <class F, class Range, class BallOf>
+[[nodiscard]] ball value_at_balls(const F& f, const Range& x, const BallOf& ball_of) {
+  std::vector<ball> arguments;
+  arguments.reserve(x.size());
+  for (const auto& argument : x) arguments.push_back(ball_of(argument));
+  return f.value(arguments);
+}
+
+[[nodiscard]] inline const char* name_of_function(const further_function& f) {
+  return f.what.name.c_str();
+}
+template <class F>
+[[nodiscard]] const char* name_of_function(const F&) {
+  return F::name;
+}
+
+template <>
+struct supplement<ball> {
+  template <class F, class Range>
+  static ball further(const F& f, const Range& x) {
+    return value_at_balls(f, x, [](const ball& a) { return a; });
+  }
+};
 
 /// Off the real line abs, min, max, floor and ceil are those of region.hpp, decided by real parts,
 /// and are undefined where the real parts do not decide; root(z, n) of odd n is -root(-z, n) where
@@ -51,6 +79,17 @@ struct supplement<complex_ball> {
   static complex_ball agm(const complex_ball& z, const complex_ball& w);
   static complex_ball atan2(const complex_ball& y, const complex_ball& x);
   static complex_ball root(const complex_ball& z, long n);
+  template <class F, class Range>
+  static complex_ball further(const F& f, const Range& x) {
+    for (const complex_ball& a : x) {
+      if (sign_of(a.im) == certain_sign::zero) continue;
+      if constexpr (requires { f.over_complex; }) {
+        if (f.over_complex) return f.over_complex(x);
+      }
+      return complex_ball::undefined(a.precision());
+    }
+    return complex_ball(value_at_balls(f, x, [](const complex_ball& a) { return a.re; }));
+  }
 };
 
 /// log_gamma(z) for Re z > 0; agm(z, w) for Re z > 0 and Re w > 0. On other sides they are not
@@ -70,12 +109,27 @@ struct supplement<region> {
   /// between them, and lies in (Z - m) (2/sqrt(pi)) exp(-W^2) for any convex W that holds m and Z.
   static region erf(const region& z);
   static region erfc(const region& z);
+  template <class F, class Range>
+  static region further(const F& f, const Range& x) {
+    for (const region& a : x) {
+      if (!a.is_analytic()) return a;
+    }
+    if constexpr (requires { f.over_regions; }) {
+      if (f.over_regions) return f.over_regions(x);
+    }
+    return region::blocked(obstacle::unknown, name_of_function(f));
+  }
 };
 
 /// By way of balls: double_interval.hpp has the angle off a cut alone.
 template <>
 struct supplement<double_interval> {
   static double_interval atan2(double_interval y, double_interval x);
+  static double_interval from(const ball& x) { return double_interval::from_ball(x); }
+  template <class F, class Range>
+  static double_interval further(const F& f, const Range& x) {
+    return from(value_at_balls(f, x, [](double_interval a) { return to_ball(a, 64); }));
+  }
 };
 
 /// Jets of balls: those of jet.hpp, and others whose first coefficient is the ball's own function
@@ -135,6 +189,27 @@ struct supplement<jet<ball, Order>> {
   static series log_gamma(const series& x) {
     return with_slope(x, polhode::log_gamma(x[0]), digamma(x[0]));
   }
+  /// With the first derivative, where f has a gradient.
+  template <class F, class Range>
+  static series further(const F& f, const Range& x) {
+    const series& first = x.front();
+    series r = value_only(first, value_at_balls(f, x, [](const series& a) { return a[0]; }));
+    if constexpr (requires { f.gradient; }) {
+      if (f.gradient && r.order() >= 1) {
+        std::vector<ball> arguments;
+        arguments.reserve(x.size());
+        for (const series& a : x) arguments.push_back(a[0]);
+        const std::vector<ball> slopes = f.gradient(arguments);
+        ball sum(0, r[0].precision());
+        for (std::size_t i = 0; i < x.size(); ++i) {
+          // What does not vary needs no derivative.
+          if (sign_of(x[i][1]) != certain_sign::zero) sum += slopes[i] * x[i][1];
+        }
+        r[1] = sum;
+      }
+    }
+    return r;
+  }
 
  private:
   /// f(x) of which f and f' at the first coefficient are given.
@@ -152,78 +227,41 @@ struct supplement<jet<ball, Order>> {
   }
 };
 
-[[nodiscard]] inline const char* name_of_function(const further_function& f) {
-  return f.what.name.c_str();
-}
-template <class F>
-[[nodiscard]] const char* name_of_function(const F&) {
-  return F::name;
-}
-
-/// The value over any type of a function that is known by f.value over balls: a further_function,
-/// or a named one that T has not. x is a range of T or of references to them;
-/// supplement<T>::further(f, x) has it for a T that has a way of its own.
+/// f(x) by T's own way, for a function that is known by f.value over balls: a further_function, or
+/// a named one that T has not. x is a range of T or of references to them.
 template <class T, class F, class Range>
 [[nodiscard]] T value_over(const F& f, const Range& x) {
-  const T& first = x.front();
-  const auto at_balls = [&](auto&& ball_of) {
-    std::vector<ball> arguments;
-    arguments.reserve(x.size());
-    for (const T& argument : x) arguments.push_back(ball_of(argument));
-    return f.value(arguments);
-  };
   if constexpr (requires { supplement<T>::further(f, x); }) {
     return supplement<T>::further(f, x);
-  } else if constexpr (std::same_as<T, ball>) {
-    return at_balls([](const ball& a) { return a; });
-  } else if constexpr (std::same_as<T, mpfr_float>) {
-    return midpoint(at_balls([](const mpfr_float& a) { return ball(a); }));
-  } else if constexpr (std::same_as<T, double>) {
-    const mpfr_float middle = midpoint(at_balls([](double a) { return ball::exactly(a, 64); }));
-    return mpfr_get_d(middle.backend().data(), MPFR_RNDN);
-  } else if constexpr (std::same_as<T, double_interval>) {
-    return double_interval::from_ball(at_balls([](double_interval a) { return to_ball(a, 64); }));
-  } else if constexpr (std::same_as<T, complex_ball>) {
-    for (const complex_ball& a : x) {
-      if (sign_of(a.im) == certain_sign::zero) continue;
-      if constexpr (requires { f.over_complex; }) {
-        if (f.over_complex) return f.over_complex(x);
-      }
-      return complex_ball::undefined(a.precision());
-    }
-    return complex_ball(at_balls([](const complex_ball& a) { return a.re; }));
-  } else if constexpr (std::same_as<T, region>) {
-    for (const region& a : x) {
-      if (!a.is_analytic()) return a;
-    }
-    if constexpr (requires { f.over_regions; }) {
-      if (f.over_regions) return f.over_regions(x);
-    }
-    return region::blocked(obstacle::unknown, name_of_function(f));
-  } else if constexpr (is_jet<T>::value) {
-    T result = first;
-    result[0] = at_balls([](const T& a) { return a[0]; });
-    const ball none = ball::undefined(result[0].precision());
-    for (int k = 1; k <= result.order(); ++k) result[k] = none;
-    if constexpr (requires { f.gradient; }) {
-      if (f.gradient && result.order() >= 1) {
-        std::vector<ball> arguments;
-        arguments.reserve(x.size());
-        for (const T& a : x) arguments.push_back(a[0]);
-        const std::vector<ball> slopes = f.gradient(arguments);
-        ball sum(0, result[0].precision());
-        for (std::size_t i = 0; i < x.size(); ++i) {
-          // What does not vary needs no derivative.
-          if (sign_of(x[i][1]) != certain_sign::zero) sum += slopes[i] * x[i][1];
-        }
-        result[1] = sum;
-      }
-    }
-    return result;
   } else {
+    const T& first = x.front();
     return first.blocked(name_of_function(f));
   }
 }
+
+/// What formulas need of T: + - * / and -, by T's operators or as supplement<T> has them, and whole
+/// powers. The rest of its functions may be missing.
+template <class T>
+concept formula_arithmetic = std::copyable<T> && requires(const T& x, const T& y, long n) {
+  requires requires { supplement<T>::add(x, y); } || requires {
+    T(x + y);
+  };
+  requires requires { supplement<T>::subtract(x, y); } || requires {
+    T(x - y);
+  };
+  requires requires { supplement<T>::multiply(x, y); } || requires {
+    T(x * y);
+  };
+  requires requires { supplement<T>::divide(x, y); } || requires {
+    T(x / y);
+  };
+  requires requires { supplement<T>::negate(x); } || requires {
+    T(-x);
+  };
+  requires requires { supplement<T>::power_integer(x, n); } || requires {
+    T(pow(x, n));
+  };
+};
 
 /// A function of the table, or x^n, x^y or the real root, in every arithmetic: over(x), over(x, y)
 /// or over(x, n), and put(r, ...) for the same in r, which may be one of the operands. is_own<T>: T
@@ -344,7 +382,7 @@ struct named<operation::root> {
 };
 
 /// The result of the instruction for the operands x and y, of which r may be one.
-template <class T>
+template <formula_arithmetic T>
 void execute(const instruction& i, T& r, const T& x, const T& y) {
 // As the supplement has it; or in the storage of r, where T has such a function (ball).
 #define POLHODE_OPERATOR(f, sign)                         \
@@ -408,13 +446,8 @@ template <class T, class Operand>
 /// The real number enclosed by x, as a T.
 template <class T>
 [[nodiscard]] T converted(const ball& x) {
-  if constexpr (std::same_as<T, mpfr_float>) {
-    return midpoint(x);
-  } else if constexpr (std::same_as<T, double>) {
-    const mpfr_float middle = midpoint(x);
-    return mpfr_get_d(middle.backend().data(), MPFR_RNDN);
-  } else if constexpr (std::same_as<T, double_interval>) {
-    return double_interval::from_ball(x);
+  if constexpr (requires { supplement<T>::from(x); }) {
+    return supplement<T>::from(x);
   } else {
     return T(x);
   }
@@ -423,10 +456,8 @@ template <class T>
 /// A copy of the same precision.
 template <class T>
 [[nodiscard]] T copied(const T& x) {
-  if constexpr (std::same_as<T, mpfr_float>) {
-    mpfr_float r = zero_of_precision(precision_of(x));
-    mpfr_set(r.backend().data(), x.backend().data(), MPFR_RNDN);
-    return r;
+  if constexpr (requires { supplement<T>::copy(x); }) {
+    return supplement<T>::copy(x);
   } else {
     return x;
   }
@@ -468,8 +499,7 @@ template <class T, class Number, class Constant>
   return evaluate_constants<T>(f, number, constant, [](const instruction&, const T&) {});
 }
 
-/// A T that knows more of a constant than an enclosure: supplement<T>::number(q) is the rational
-/// number, supplement<T>::constant(i) a constant such as pi.
+/// A T that knows more of a constant than an enclosure.
 template <class T>
 concept symbolic = requires(const rational& q, const instruction& i) {
   { supplement<T>::number(q) } -> std::same_as<T>;

@@ -13,6 +13,7 @@
 #include "polhode/arithmetic/ball.hpp"
 #include "polhode/arithmetic/complex_ball.hpp"
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/jet.hpp"
 #include "polhode/arithmetic/pi_combination.hpp"
 #include "polhode/arithmetic/region.hpp"
 
@@ -85,6 +86,10 @@ struct further_function {
   };
   std::function<std::optional<leading_formula>(std::span<const ball>, int sign)> near_zero =
       nullptr;
+  /// Of a function of one argument with poles: functions that are analytic there too, of which f is
+  /// the quotient. Both empty, or none.
+  std::function<jet<ball, 1>(const jet<ball, 1>&)> numerator = nullptr;
+  std::function<jet<ball, 1>(const jet<ball, 1>&)> divisor = nullptr;
 };
 using further_functions = std::vector<further_function>;
 

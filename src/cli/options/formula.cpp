@@ -150,11 +150,11 @@ std::string table_of_functions() {
   add("special functions, by Arb", 38, *arb_functions());
   result += "constants\n";
   for (const expression_constant& c : expression_constants()) {
-    result += fmt::format("  {:<18}{}\n", c.name, c.description);
+    result += fmt::format("  {:<14}{}\n", c.name, c.description);
   }
   result += "other names\n";
   for (const expression_alias& a : expression_aliases()) {
-    result += fmt::format("  {:<18}the same as {}\n", a.name, a.meaning);
+    result += fmt::format("  {:<14}the same as {}\n", a.name, a.meaning);
   }
   return result;
 }

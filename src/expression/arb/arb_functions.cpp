@@ -228,6 +228,10 @@ further_function function_of(const definition& f) {
       return f.bound(&orders[0], sign);
     };
   }
+  if (f.numerator != nullptr) {
+    result.numerator = f.numerator;
+    result.divisor = f.divisor;
+  }
   return result;
 }
 

@@ -53,6 +53,7 @@ class arb_jet {
   }
 
   [[nodiscard]] acb_ptr get() { return z_.data(); }
+  [[nodiscard]] complex_ball value(precision p) const { return to_complex_ball(z_.data(), p); }
   [[nodiscard]] complex_ball derivative(precision p) const { return to_complex_ball(&z_[1], p); }
 
  private:

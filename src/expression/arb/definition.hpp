@@ -67,6 +67,9 @@ struct definition {
   ball (*over_reals)(const ball* order, const ball& x, precision p) = nullptr;
   /// f near 0; `order` is nullptr where f has none.
   leading (*near_zero)(const ball* order, int sign) = nullptr;
+  /// Analytic functions of which f is the quotient.
+  jet<ball, 1> (*numerator)(const jet<ball, 1>& x) = nullptr;
+  jet<ball, 1> (*divisor)(const jet<ball, 1>& x) = nullptr;
 };
 
 // The functions by kind, and digamma, of which balls and regions have values of their own.

@@ -216,7 +216,7 @@ ball from_zero(std::string_view name, const ball& s, const ball& x,
   if (!x.is_bounded() || !certainly_positive(s) || certainly_negative(x) || lower_rational(x) < 0) {
     return ball::undefined(p);
   }
-  const ball first = at_zero(s, p);
+  ball first = at_zero(s, p);
   if (sign_of(x) == certain_sign::zero) return first;
   const complex_ball upper(ball(upper_rational(x), p + 64));
   return hull(first, value_or_undefined(f, {&s, upper}, p).re);
@@ -425,7 +425,7 @@ std::vector<definition> error_functions() {
        .over_reals = lower_over,
        .near_zero = leading_of_lower},
       {.what = {"polygamma", "n, x", "n-th derivative of digamma",
-                "n whole from 0; x no whole number <= 0"},
+                "n = 0, 1, ...; x not 0, -1, ..."},
        .has_order = true,
        .value = value_of_polygamma,
        .in_the_way = poles_of_polygamma,

@@ -8,19 +8,19 @@
 
 #include "definition.hpp"
 #include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/gamma_quotients.hpp"
 #include "polhode/arithmetic/special_functions.hpp"
 
 namespace polhode::arb_functions_impl {
 namespace {
 
 /// psi' = polygamma(1, x) (DLMF 5.15.1).
-std::vector<ball> slope_of_digamma(std::span<const ball> x) {
-  const arb_number at{complex_ball(x[0])};
+ball trigamma(const ball& x) {
+  const arb_number at{complex_ball(x)};
   const arb_number one(complex_ball(1, few_bits));
   arb_number r;
-  const precision p = x[0].precision();
-  arb().acb_polygamma(r.get(), one.get(), at.get(), p + 32);
-  return {r.to_complex_ball(p).re};
+  arb().acb_polygamma(r.get(), one.get(), at.get(), x.precision() + 32);
+  return r.to_complex_ball(x.precision()).re;
 }
 bool has_digamma(known_arguments x) {
   return !is_number(x[0]) || x[0]->q > 0 || denominator(x[0]->q) != 1;
@@ -131,22 +131,46 @@ bounds bounds_of_zeta(const call& x) {
   if (!slope.is_bounded()) return {};
   return {size.magnitude_upper(), slope.magnitude_upper()};
 }
-ball derivative_of_zeta(const ball& x) {
+/// zeta and its derivative at x; or zeta - 1/(x - 1) and its derivative, which are analytic at 1.
+jet<ball, 1> zeta_and_slope(const ball& x, bool without_pole) {
   const arb_number at{complex_ball(x)};
   detail::arb_jet jet;
-  arb().acb_dirichlet_zeta_jet(jet.get(), at.get(), 0, 2, x.precision() + 32);
-  return jet.derivative(x.precision()).re;
+  const precision p = x.precision();
+  arb().acb_dirichlet_zeta_jet(jet.get(), at.get(), without_pole ? 1 : 0, 2, p + 32);
+  polhode::jet<ball, 1> result;
+  result[0] = jet.value(p).re;
+  result[1] = jet.derivative(p).re;
+  return result;
 }
 /// zeta' over a set of real numbers.
 ball slope_of_zeta(const ball*, const ball& x) {
   const ball least = least_of(x);
-  if (x.is_exact() || !certainly_positive(least)) return derivative_of_zeta(x);
+  if (x.is_exact() || !certainly_positive(least)) return zeta_and_slope(x, false)[1];
   const ball distance = abs(x - 1).with_precision(few_bits);
   const ball curvature =
       2 / pow(distance, 3) + 2 / square(least) + 2 * upper_of(x.magnitude_upper()) / pow(least, 3);
   if (!curvature.is_bounded()) return ball::undefined(x.precision());
-  return derivative_of_zeta(x.middle())
-      .enlarged(multiply_up(x.radius(), curvature.magnitude_upper()));
+  return zeta_and_slope(x.middle(), false)[1].enlarged(
+      multiply_up(x.radius(), curvature.magnitude_upper()));
+}
+
+jet<ball, 1> divisor_of_zeta(const jet<ball, 1>& x) { return x - 1; }
+/// (x - 1) zeta(x) = 1 + (x - 1) (zeta(x) - 1/(x - 1)). For x > 0 the last factor's derivatives
+/// are bounded as above, but for the terms of 1/(x - 1): z/(z - 1) is 1 + 1/(z - 1).
+jet<ball, 1> numerator_of_zeta(const jet<ball, 1>& x) {
+  const ball& at = x[0];
+  const ball least = least_of(at);
+  const bool is_wide = !at.is_exact() && certainly_positive(least);
+  jet<ball, 1> rest = zeta_and_slope(is_wide ? at.middle() : at, true);
+  if (is_wide) {
+    const ball most = upper_of(at.magnitude_upper());
+    const ball slope = 1 / least + most / square(least);
+    const ball curvature = 2 / square(least) + 2 * most / pow(least, 3);
+    rest[0] = rest[0].enlarged(multiply_up(at.radius(), slope.magnitude_upper()));
+    rest[1] = rest[1].enlarged(multiply_up(at.radius(), curvature.magnitude_upper()));
+  }
+  rest[1] *= x[1];
+  return (x - 1) * rest + 1;
 }
 
 }  // namespace
@@ -206,14 +230,16 @@ std::vector<definition> other_functions() {
        .bound = [](const ball*, int sign) -> majorant {
          return sign > 0 ? steady("1+s/abs(s-1)") : std::nullopt;
        },
-       .slope_over = slope_of_zeta}};
+       .slope_over = slope_of_zeta,
+       .numerator = numerator_of_zeta,
+       .divisor = divisor_of_zeta}};
 }
 
 further_function digamma_function() {
   further_function result;
   result.what = {"digamma", "x", "(log |gamma(x)|)'", "no whole number <= 0"};
   result.value = [](std::span<const ball> x) { return digamma(x[0]); };
-  result.gradient = slope_of_digamma;
+  result.gradient = [](std::span<const ball> x) { return std::vector{trigamma(x[0])}; };
   result.slope = "polygamma(1,x)";
   result.may_be_defined = has_digamma;
   result.over_regions = [](std::span<const region> x) { return digamma(x[0]); };
@@ -226,6 +252,8 @@ further_function digamma_function() {
   // psi(x) = psi(1 + x) - 1/x, and psi increases from psi(1/2) > -2 to psi(3/2) < 1 (DLMF 5.4.13,
   // 5.5.2).
   result.near_zero = [](std::span<const ball>, int) { return near_zero("-1/x", "2"); };
+  result.numerator = [](const jet<ball, 1>& x) { return digamma_over_gamma(x, trigamma); };
+  result.divisor = reciprocal_gamma;
   return result;
 }
 
