@@ -232,9 +232,21 @@ class reader : public pugi::xml_tree_walker {
   mutable long counted_ = 1;
 };
 
-/// Throws input_error where there is none.
-std::vector<found_inertia> inertias_in(const std::string& text, reader::purpose what) {
-  pugi::xml_document document;
+// NOLINTNEXTLINE(bugprone-exception-escape): its destructor is the library's
+class without_inertia : public pugi::xml_tree_walker {
+ public:
+  bool for_each(pugi::xml_node& node) override {
+    const std::string_view name = node.name();
+    if ((name == "link" || name == "body") && node.attribute("name") && !node.child("inertial")) {
+      names.emplace_back(node.attribute("name").value());
+    }
+    return true;
+  }
+  std::vector<std::string> names;
+};
+
+/// Throws input_error where the text is no XML.
+void load(pugi::xml_document& document, const std::string& text) {
   const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size());
   if (!parsed) {
     const auto end = static_cast<std::ptrdiff_t>(std::min(
@@ -243,6 +255,12 @@ std::vector<found_inertia> inertias_in(const std::string& text, reader::purpose 
                       std::to_string(1 + std::count(text.begin(), text.begin() + end, '\n')) +
                       ": no XML: " + parsed.description());
   }
+}
+
+/// Throws input_error where there is none.
+std::vector<found_inertia> inertias_in(const std::string& text, reader::purpose what) {
+  pugi::xml_document document;
+  load(document, text);
   reader inertias(text, what);
   document.traverse(inertias);
   if (inertias.found.empty()) {
@@ -316,6 +334,14 @@ std::vector<link_inertia> read_link_inertias(const std::string& text) {
     result.push_back(std::move(link));
   }
   return result;
+}
+
+std::vector<std::string> links_without_inertia(const std::string& text) {
+  pugi::xml_document document;
+  detail::load(document, text);
+  detail::without_inertia links;
+  document.traverse(links);
+  return std::move(links.names);
 }
 
 bool is_robot_file(const std::string& path) {

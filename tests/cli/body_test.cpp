@@ -218,6 +218,21 @@ TEST(BodyCommand, EveryLinkOfARobot) {
   expect_refused({"body", "--ab", "1,0.1", "--format", "csv"}, {"robot's FILE"});
 }
 
+TEST(BodyCommand, NamesTheLinksWithoutInertia) {
+  const scratch_directory scratch;
+  const std::string path = scratch.path("robot.urdf");
+  std::ofstream(path) << "<robot><link name='world'/><link name='a'><inertial><inertia ixx='1' "
+                         "iyy='2' izz='2.5'/></inertial></link><link name='camera'><visual/></link>"
+                         "</robot>\n";
+  EXPECT_NE(certified({"body", path}).find("\nwithout <inertial>: world, camera\n1 link: 1 phys"),
+            std::string::npos);
+  const json all = json::parse(certified({"body", path, "--format", "json"}));
+  EXPECT_EQ(all.at("without_inertial"), json({"world", "camera"}));
+  EXPECT_NE(certified({"body", path, "--format", "csv"})
+                .find("\n\"world\",,without inertial,,,,,,,\n\"camera\""),
+            std::string::npos);
+}
+
 TEST(BodyCommand, Files) {
   const scratch_directory scratch;
   const std::string path = scratch.path("body.json");

@@ -158,7 +158,7 @@ TEST(Grammar, SignIsExact) {
 
 TEST(Grammar, MinusOneToAWholePart) {
   for (const char* whole : {"floor", "ceil"}) {
-    const expression f = parse("(-1)^" + std::string(whole) + "(x)", {"x"});
+    const expression f("(-1)^" + std::string(whole) + "(x)", {{"x"}, {}});
     for (long k = -12; k <= 12; ++k) {
       const rational x(k, 4);
       const integer n = whole[0] == 'f' ? floor_of(x) : ceil_of(x);

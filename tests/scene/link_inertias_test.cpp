@@ -112,5 +112,89 @@ TEST(LinkInertias, OfSdfAndMujoco) {
   EXPECT_THROW((void)read_link_inertias("<robot>"), input_error);
 }
 
+TEST(LinkInertias, EveryWayToTurnAFrameLeavesTheInvariants) {
+  const std::string urdf = "<inertia ixx='1' iyy='2' izz='2.5'/>";
+  const std::string sdf = "<inertia><ixx>1</ixx><iyy>2</iyy><izz>2.5</izz></inertia>";
+  std::vector<std::string> files;
+  for (const char* origin : {"", "<origin/>", "<origin xyz='1 2 3'/>", "<origin rpy='0.1 2 -3'/>",
+                             "<origin rpy='0 0 0' xyz='0 0 0'/>"}) {
+    files.push_back("<robot>" + link("a", origin + urdf) + "</robot>");
+  }
+  for (const char* pose :
+       {"<pose>1 2 3 0 0 0</pose>", "<pose degrees='true'>0 0 0 10 20 30</pose>",
+        "<pose rotation_format='quat_xyzw'>0 0 0 0 0 0.1 1</pose>",
+        "<pose rotation_format='euler_rpy' relative_to='b'>0 0 0 1 2 3</pose>"}) {
+    files.push_back("<sdf><model><link name='a'><inertial>" + (pose + sdf) +
+                    "</inertial></link></model></sdf>");
+  }
+  for (const char* turned : {"", "quat='1 1 0 0'", "euler='1 2 3'", "axisangle='1 0 0 0.3'",
+                             "xyaxes='1 0 0 0 0 1'", "zaxis='0 1 1'"}) {
+    files.push_back(
+        "<mujoco><compiler angle='radian' eulerseq='zyx'/><worldbody><body name='a'>"
+        "<inertial pos='0 0 1' mass='1' diaginertia='1 2 2.5' " +
+        std::string(turned) + "/></body></worldbody></mujoco>");
+  }
+  for (const std::string& text : files) {
+    const std::vector<link_inertia> links = read_link_inertias(text);
+    ASSERT_EQ(links.size(), 1U) << text;
+    EXPECT_EQ(links[0].problem, "") << text;
+    EXPECT_EQ(links[0].margin.exact(), rational(1, 2)) << text;
+    EXPECT_EQ(links[0].kind, body_kind::physical) << text;
+    EXPECT_TRUE(links_without_inertia(text).empty()) << text;
+  }
+}
+
+TEST(LinkInertias, BadFilesAreRefusedInOneSentence) {
+  const std::string good = link("a", entries("1", "2", "2.5"));
+  // Entities are not expanded, and no other file is read.
+  std::string bomb = "<!DOCTYPE r [<!ENTITY a \"aaaaaaaaaa\">";
+  for (char c = 'b'; c < 'z'; ++c) {
+    bomb += std::string("<!ENTITY ") + c + " \"";
+    for (int k = 0; k < 10; ++k) bomb += std::string("&") + static_cast<char>(c - 1) + ";";
+    bomb += "\">";
+  }
+  bomb += "]><robot name='&y;'>" + good + "</robot>";
+  EXPECT_EQ(read_link_inertias(bomb).size(), 1U);
+  EXPECT_EQ(read_link_inertias("<mujoco><include file='self.xml'/><body name='b'><inertial "
+                               "diaginertia='3 2 1'/></body></mujoco>")
+                .size(),
+            1U);
+  std::string deep;
+  for (int k = 0; k < 20'000; ++k) deep += "<link name='a'>";
+  for (const std::string& text :
+       {std::string(), std::string("no XML"), "<robot>" + good, deep, std::string("\xff\xfe<"),
+        std::string(1000, '\0'), std::string("<robot><link name='a'/></robot>"),
+        good.substr(0, good.size() / 2)}) {
+    try {
+      (void)read_link_inertias(text);
+      ADD_FAILURE() << text.substr(0, 100);
+    } catch (const input_error& error) {
+      const std::string why = error.what();
+      EXPECT_EQ(why.find('\n'), std::string::npos) << why;
+      EXPECT_LT(why.size(), 300U) << why;
+    }
+  }
+  // Numbers of any size, and none.
+  const std::vector<link_inertia> links = links_of(
+      link("great", entries("1e308", "2e308", "2.5e308")) +
+      link("small", entries("1e-308", "2e-308", "2.5e-308")) +
+      link("inf", entries("inf", "1", "1")) + link("unit", entries("1 kg", "1", "1")) +
+      link("twice", entries("1", "1", "1") + entries("2", "2", "2")) +
+      link("hexadecimal", entries("0x1p3", "1", "1")) + link("empty", entries("", "1", "1")));
+  ASSERT_EQ(links.size(), 7U);
+  EXPECT_EQ(links[0].kind, body_kind::physical);
+  EXPECT_EQ(links[1].kind, body_kind::physical);
+  for (std::size_t i = 2; i < links.size(); ++i) EXPECT_NE(links[i].problem, "") << links[i].name;
+}
+
+TEST(LinkInertias, LinksWithoutInertiaAreNamed) {
+  EXPECT_EQ(links_without_inertia("<robot><link name='world'/><link name='a'><inertial/></link>"
+                                  "<joint name='j'/></robot>"),
+            std::vector<std::string>{"world"});
+  EXPECT_EQ(links_without_inertia("<mujoco><worldbody><body name='b'><geom size='1'/><body "
+                                  "name='c'><inertial/></body></body></worldbody></mujoco>"),
+            std::vector<std::string>{"b"});
+}
+
 }  // namespace link_inertias_test
 }  // namespace polhode

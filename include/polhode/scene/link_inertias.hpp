@@ -34,6 +34,10 @@ struct link_inertia {
 /// matter here, and an inertia that is no body's has its problem said. Throws input_error where the
 /// text is no XML, or has no inertia.
 [[nodiscard]] std::vector<link_inertia> read_link_inertias(const std::string& text);
+/// The names of the links (of MuJoCo, bodies) without <inertial>, in the order of the file: frames
+/// without a mass, or links whose inertia a simulator finds from their shape. Throws input_error
+/// where the text is no XML.
+[[nodiscard]] std::vector<std::string> links_without_inertia(const std::string& text);
 
 /// Whether a file of this name is a robot description: .urdf, .sdf, .xml or .mjcf.
 [[nodiscard]] bool is_robot_file(const std::string& path);

@@ -72,7 +72,9 @@ std::string short_decimal(const std::optional<ball>& x) {
   return x ? to_decimal_enclosure(*x, shown).value : "-";
 }
 
-std::string as_text(const std::vector<link_inertia>& links, bool nearest) {
+using names = std::vector<std::string>;
+
+std::string as_text(const std::vector<link_inertia>& links, const names& without, bool nearest) {
   constexpr long shown = 4;
   const char* row = "{:<12}  {:>10}  {:>10}  {:>10}  {:>10}  {:>7}  {:>7}  {}\n";
   std::string result =
@@ -97,6 +99,10 @@ std::string as_text(const std::vector<link_inertia>& links, bool nearest) {
     if (const auto x = nearest_of(link, nearest))
       result += link.name + ": " + nearest_text(*x, shown, unit_of_inertia);
   }
+  if (!without.empty()) {
+    const std::string text = fmt::format("without <inertial>: {}", fmt::join(without, ", "));
+    for (const std::string& line : wrapped(text, terminal_columns)) result += line + '\n';
+  }
   const counts n = counts_of(links);
   result +=
       fmt::format("{} link{}: {} physical, {} planar, {} non-physical, {} refused\n", links.size(),
@@ -104,7 +110,8 @@ std::string as_text(const std::vector<link_inertia>& links, bool nearest) {
   return result + "moments and margin, I_y + I_z - I_x, in kg m^2; digits cut off\n";
 }
 
-std::string as_csv(const std::vector<link_inertia>& links, long digits, bool nearest) {
+std::string as_csv(const std::vector<link_inertia>& links, const names& without, long digits,
+                   bool nearest) {
   const auto quoted = [](const std::string& text) {
     std::string result = "\"";
     for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -137,6 +144,9 @@ std::string as_csv(const std::vector<link_inertia>& links, long digits, bool nea
     }
     result += '\n';
   }
+  for (const std::string& name : without) {
+    result += quoted(name) + ",,without inertial,,,,,,," + (nearest ? ",,,,,,,\n" : "\n");
+  }
   return result;
 }
 
@@ -145,13 +155,15 @@ json measured(json number, const std::string& unit) {
   return number;
 }
 
-std::string as_json(const std::vector<link_inertia>& links, long digits, bool nearest) {
+std::string as_json(const std::vector<link_inertia>& links, const names& without, long digits,
+                    bool nearest) {
   const auto in_unit = [&](const exact_real& x) {
     return measured(exact_json(x, digits), unit_of_inertia);
   };
   json result{{"verdict",
                to_text(counts_of(links).refused == 0 ? status::certified : status::not_certified)},
-              {"links", json::array()}};
+              {"links", json::array()},
+              {"without_inertial", without}};
   for (const link_inertia& link : links) {
     json one{{"name", link.name}, {"line", link.line}};
     if (is_refused(link)) {
@@ -207,17 +219,18 @@ std::string nearest_text(const nearest_physical_tensor& x, long digits, const st
 }
 
 exit_status print_links(const std::string& path, const links_wanted& wanted) {
-  const std::vector<link_inertia> links = [&] {
+  const auto [links, without] = [&] {
     try {
-      return read_link_inertias(read_text_file(path));
+      const std::string text = read_text_file(path);
+      return std::pair(read_link_inertias(text), links_without_inertia(text));
     } catch (const input_error& error) {
       throw usage_error(fmt::format("{}: {}", in_quotes(path), error.what()));
     }
   }();
   using namespace body_links_impl;
-  print(wanted.format == "json"  ? as_json(links, wanted.digits, wanted.nearest)
-        : wanted.format == "csv" ? as_csv(links, wanted.digits, wanted.nearest)
-                                 : as_text(links, wanted.nearest));
+  print(wanted.format == "json"  ? as_json(links, without, wanted.digits, wanted.nearest)
+        : wanted.format == "csv" ? as_csv(links, without, wanted.digits, wanted.nearest)
+                                 : as_text(links, without, wanted.nearest));
   const counts n = counts_of(links);
   const bool is_right = n.refused == 0 && (n.non_physical == 0 || wanted.allow_non_physical);
   return is_right ? exit_status::all_certified : exit_status::not_certified;
