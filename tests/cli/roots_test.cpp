@@ -285,8 +285,14 @@ TEST(Roots, OfASystem) {
                                 "y=-inf..inf", "--digits", "10"});
   EXPECT_EQ(anywhere.status, 0) << anywhere.out;
   EXPECT_EQ(lines_of(anywhere.out).size(), 3U) << anywhere.out;
-  const outcome far =
+  const outcome polynomials =
       run({"roots", "x^2=y", "y^2=x", "--in", "x=-inf..inf", "--in", "y=-inf..inf"});
+  EXPECT_EQ(polynomials.status, 0);
+  EXPECT_EQ(polynomials.out.rfind("x = 0, y = 0  unique\nx = 1, y = 1  unique\ncertified: 2", 0),
+            0U)
+      << polynomials.out;
+  const outcome far =
+      run({"roots", "pi*x^2=y", "y^2=x", "--in", "x=-inf..inf", "--in", "y=-inf..inf"});
   EXPECT_EQ(far.status, 1);
   EXPECT_NE(far.out.find("to inf, y = from -inf to inf  unresolved"), std::string::npos) << far.out;
   const outcome half = run({"roots", "sqrt(x)-1", "log(y)", "--in", "x=-3..3", "--in", "y=-3..3"});

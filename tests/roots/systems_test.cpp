@@ -7,6 +7,7 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/expression/parse.hpp"
 #include "polhode/roots/systems.hpp"
 #include "support/random.hpp"
 
@@ -218,9 +219,12 @@ TEST(SolveSystem, InBoxesWithoutEnds) {
   expect_roots(solve_system(f, all), 2);
   expect_roots(solve_system(f, {{std::nullopt, 0}, {std::nullopt, std::nullopt}}), 1);
   expect_roots(solve_system(f, {{2, std::nullopt}, {std::nullopt, std::nullopt}}), 0);
-  const auto unbounded = [](const auto& x) {
+  const auto polynomials = [](const auto& x) {
     return std::vector{square(x[0]) - x[1], square(x[1]) - x[0]};
   };
+  expect_roots(solve_system(polynomials, all), 2);
+  // With a coefficient that is not rational.
+  const real_system unbounded({parse("pi*x^2 - y", {"x", "y"}), parse("y^2 - x", {"x", "y"})});
   const system_root_set s = solve_system(unbounded, all);
   EXPECT_FALSE(s.is_resolved());
   EXPECT_TRUE(one_holds(s, {0, 0}));
