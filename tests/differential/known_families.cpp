@@ -334,7 +334,7 @@ integral_case error_integral(maker& m) {
   const auto to_infinity = [&](const term& f) { c.value = -substituted(f, "x", c.from); };
   const term root_pi = call("sqrt", term("pi"));
   term f = 0;
-  switch (m.between(0, 12)) {
+  switch (m.between(0, 13)) {
     case 0:
       c.integrand = k * call("erfi", t);
       f = t * call("erfi", t) - call("exp", t * t) / root_pi;
@@ -385,6 +385,14 @@ integral_case error_integral(maker& m) {
       c.from = 0;
       c.value = call("gamma", s + s / 2) / (s / 2);
       break;
+    case 12: {  // without its pole at 0
+      const long n = m.between(1, 3);
+      const term pole = (n % 2 == 0 ? -1 : 1) * call("factorial", n) / power(k * x, n + 1);
+      c.integrand = k * (call("polygamma", n, k * x) - pole);
+      c.from = 0;
+      c.value = call("polygamma", n - 1, k * c.to + 1) - call("polygamma", n - 1, 1);
+      return c;
+    }
     case 11:  // of erfc(k x)
       c.integrand = call("exp", -(k * k * x * x)) * call("erfcx", k * x);
       c.from = 0;

@@ -338,6 +338,29 @@ TEST_F(ArbFunctions, IncompleteGammaFunctionsGoOnToZero) {
   }
 }
 
+TEST_F(ArbFunctions, AreTheFormulasThatShowTheirPoles) {
+  const precision p = 200;
+  int functions = 0;
+  for (const further_function& f : *arb_functions()) {
+    if (!f.at_pole) continue;
+    SCOPED_TRACE(f.what.name);
+    ++functions;
+    for (support::repeat trial(40); trial.again();) {
+      std::vector<ball> arguments;
+      if (f.arity == 2) arguments.emplace_back(random.between(1, 5), p);
+      const long k = random.between(0, 6);
+      const auto text = f.at_pole(arguments, k);
+      ASSERT_TRUE(text);
+      arguments.emplace_back(rational(between(-8, 3) + rational(1, 4096)), p);
+      const expression formula(*text, {argument_names(f.what), {}, library_functions()});
+      EXPECT_TRUE(overlaps(formula.evaluator<ball>(p)(std::span<const ball>(arguments)),
+                           f.value(arguments)))
+          << *text << " " << arguments.back();
+    }
+  }
+  EXPECT_EQ(functions, 2);
+}
+
 /// Not by the continuation, where the order is not known to be above 1.
 TEST_F(ArbFunctions, ThePolylogarithmAtOneNeedsAnOrderAboveOne) {
   const expression f = parse("polylog(x, 1)", {"x"});

@@ -92,6 +92,17 @@ TEST(TurningPoints, OfSpecialFunctions) {
       {"polylog(2,x)/x", "0", "1", "zeta(3)"},
       {"x^2*polylog(3,exp(-x))", "0", "inf", "2*zeta(6)"},
       {"polylog(5/2,-exp(-x))", "0", "inf", "polylog(7/2,-1)"},
+      {"dawson(x)/x", "0", "inf", "pi^(3/2)/4"},
+      {"erfcx(x)*exp(-x^2)", "0", "inf", "1/sqrt(pi)"},
+      {"gammaUpper(3/2,x)/sqrt(x)", "0", "inf", "2"},
+      {"gammaLower(3/2,x)/x^2", "0", "inf", "sqrt(pi)"},
+      {"polygamma(2,x)", "1", "inf", "-pi^2/6"},
+      // Where what cancels their poles, or is 0 there, stands beside them.
+      {"digamma(x)+1/x", "0", "1/2", "log(sqrt(pi)/2)"},
+      {"polygamma(1,x)-1/x^2", "0", "1", "1"},
+      {"polygamma(3,sin(x))*cos(x)-6*cos(x)/sin(x)^4", "0", "pi/2",
+       "polygamma(2,2)-polygamma(2,1)"},
+      {"2*(x+1)*digamma(x)+(x+1)^2*polygamma(1,x)", "-1", "-1/2", "digamma(-1/2)/4"},
       // By Weber's integral.
       {"besselJ(0,x)", "0", "inf", "1"},
       {"besselJ(1,3*x)/x", "0", "inf", "1"},

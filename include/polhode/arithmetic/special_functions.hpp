@@ -43,7 +43,7 @@ class region;
 /// z = -1000; log Gamma for Re z > 0; elsewhere it is not available (obstacle::unknown).
 [[nodiscard]] region gamma(const region& z);
 [[nodiscard]] region log_gamma(const region& z);
-/// For Re z > 0; elsewhere it is not available.
+/// Where it has no pole, down to Re z = -1000.
 [[nodiscard]] region digamma(const region& z);
 
 /// The Riemann zeta function at an integer n >= 2, with p bits; undefined at 0 and 1.

@@ -86,6 +86,9 @@ struct further_function {
   };
   std::function<std::optional<leading_formula>(std::span<const ball>, int sign)> near_zero =
       nullptr;
+  /// Where f has poles at 0, -1, -2, ...: a formula in the names of what.arguments that is f, and
+  /// shows its pole at -k. May be empty, or know none.
+  std::function<std::optional<std::string>(std::span<const ball>, long k)> at_pole = nullptr;
   /// Of a function of one argument with poles: functions that are analytic there too, of which f is
   /// the quotient. Both empty, or none.
   std::function<jet<ball, 1>(const jet<ball, 1>&)> numerator = nullptr;

@@ -61,7 +61,8 @@ region series_of_log(const region& z) {
   return result;
 }
 
-/// The digamma function, the derivative of log Gamma, for Re z > 0.
+/// The digamma function, the derivative of log Gamma; that of w = z + n less the sum of 1/(z + k)
+/// over 0 <= k < n (DLMF 5.5.2), blocked at poles.
 region series_of_derivative(const region& z) {
   static const region error =
       remainder(bernoulli_numbers().back() / (2 * terms), 2 * terms + 1, 2L * terms);
@@ -90,9 +91,11 @@ bool is_right_of_zero(const region& z) { return certainly_positive(z.to_complex_
 }  // namespace
 
 region digamma(const region& z) {
+  constexpr double most_steps = 1000;
   if (!z.is_analytic()) return z;
-  if (!is_right_of_zero(z)) return region::blocked(obstacle::unknown, "digamma");
-  return series_of_derivative(z);
+  if (z.re().lower() < -most_steps) return region::blocked(obstacle::unknown, "digamma");
+  const region value = series_of_derivative(z);
+  return value.is_analytic() ? value : region::blocked(obstacle::pole, "digamma");
 }
 
 region log_gamma(const region& z) {

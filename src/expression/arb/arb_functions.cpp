@@ -70,6 +70,10 @@ obstacle left_half(const call& x) {
   if (certainly_positive(x.z.re)) return obstacle::none;
   return certainly_negative(x.z.re) ? obstacle::unknown : obstacle::branch_cut;
 }
+obstacle poles_of_gamma(const call& x) {
+  if (certainly_positive(x.z.re) || !contains_zero(x.z.im)) return obstacle::none;
+  return ceil_of(lower_rational(x.z.re)) > upper_rational(x.z.re) ? obstacle::none : obstacle::pole;
+}
 bool is_whole(const ball& order) {
   return order.is_exact() && denominator(lower_rational(order)) == 1;
 }
@@ -226,6 +230,11 @@ further_function function_of(const definition& f) {
       if (!f.has_order) return f.bound(nullptr, sign);
       if (!orders[0].is_bounded()) return std::nullopt;
       return f.bound(&orders[0], sign);
+    };
+  }
+  if (f.at_pole != nullptr) {
+    result.at_pole = [&f](std::span<const ball> orders, long k) {
+      return f.at_pole(f.has_order ? orders.data() : nullptr, k);
     };
   }
   if (f.numerator != nullptr) {

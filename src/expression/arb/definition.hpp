@@ -67,6 +67,8 @@ struct definition {
   ball (*over_reals)(const ball* order, const ball& x, precision p) = nullptr;
   /// f near 0; `order` is nullptr where f has none.
   leading (*near_zero)(const ball* order, int sign) = nullptr;
+  /// f as a formula that shows its pole at -k.
+  formula (*at_pole)(const ball* order, long k) = nullptr;
   /// Analytic functions of which f is the quotient.
   jet<ball, 1> (*numerator)(const jet<ball, 1>& x) = nullptr;
   jet<ball, 1> (*divisor)(const jet<ball, 1>& x) = nullptr;
@@ -90,6 +92,8 @@ struct definition {
 
 /// Needs Re z > 0.
 [[nodiscard]] obstacle left_half(const call& x);
+/// At 0, -1, -2, ....
+[[nodiscard]] obstacle poles_of_gamma(const call& x);
 [[nodiscard]] bool is_whole(const ball& order);
 
 [[nodiscard]] leading near_zero(std::string main, std::string rest);

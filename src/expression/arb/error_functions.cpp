@@ -292,8 +292,8 @@ leading leading_of_lower(const ball* s, int sign) {
 // Polygamma functions. Of order n >= 1 it is (-1)^(n+1) n! times the sum of (z + k)^-(n+1) over
 // k >= 0 (the derivatives of DLMF 5.15.1): for Re z > 0 it and its derivative are largest, in size,
 // at the least Re z. There the sum is at most its first term and the integral of (x + t)^-(n+1)
-// over t > 0: n! x^-(n+1) + (n-1)! x^-n. Without its first term it is largest, for |x| <= 1/2, at
-// x = -1/2, and so at most n! 2^(n+1) + (n-1)! 2^n.
+// over t > 0: n! x^-(n+1) + (n-1)! x^-n. Without its first term it is that at x + 1, largest, for
+// |x| <= 1/2, at x = -1/2, and so at most n! 2^(n+1) + (n-1)! 2^n.
 
 void value_of_polygamma(acb_ptr r, acb_srcptr order, acb_srcptr z, slong p) {
   arb().acb_polygamma(r, order, z, p);
@@ -308,8 +308,7 @@ obstacle poles_of_polygamma(const call& x) {
   // Far on the left Arb takes as many terms as |z|: of sets that costs more than it gives.
   constexpr long far = -16;
   if (!x.is_real() && !x.z.is_exact() && lower_rational(x.z.re) < far) return obstacle::unknown;
-  if (!contains_zero(x.z.im)) return obstacle::none;
-  return ceil_of(lower_rational(x.z.re)) > upper_rational(x.z.re) ? obstacle::none : obstacle::pole;
+  return poles_of_gamma(x);
 }
 /// The bound below.
 magnitude bound_of_polygamma(long n, const ball& x) {
@@ -342,6 +341,16 @@ leading leading_of_polygamma(const ball* order, int) {
   return near_zero(
       fmt::format("{}{}/x^{}", n % 2 == 0 ? "-" : "", factorial_text(n), n + 1),
       fmt::format("{}*2^{}+{}*2^{}", factorial_text(n), n + 1, factorial_text(n - 1), n));
+}
+
+formula polygamma_at_pole(const ball* order, long k) {
+  if (!is_order_of_polygamma(*order)) return std::nullopt;
+  const auto n = static_cast<long>(lower_rational(*order));
+  std::string text = fmt::format("polygamma(n,x+{})", k + 1);
+  for (long j = 0; j <= k; ++j) {
+    text += fmt::format("{}{}/(x+{})^{}", n % 2 == 0 ? "-" : "+", factorial_text(n), j, n + 1);
+  }
+  return text;
 }
 
 }  // namespace
@@ -437,7 +446,8 @@ std::vector<definition> error_functions() {
              return is_exactly(x[0], 0) ? formula("digamma(x)") : std::nullopt;
            },
        .bound = majorant_of_polygamma,
-       .near_zero = leading_of_polygamma}};
+       .near_zero = leading_of_polygamma,
+       .at_pole = polygamma_at_pole}};
 }
 
 }  // namespace polhode::arb_functions_impl

@@ -2,8 +2,11 @@
 
 // The digamma function, Lambert's W, polylogarithms and the zeta function.
 
+#include <fmt/format.h>
+
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "definition.hpp"
@@ -243,6 +246,13 @@ further_function digamma_function() {
   result.slope = "polygamma(1,x)";
   result.may_be_defined = has_digamma;
   result.over_regions = [](std::span<const region> x) { return digamma(x[0]); };
+  static const definition of_complex{
+      .what = result.what,
+      .value = [](acb_ptr r, acb_srcptr, acb_srcptr z, slong p) { arb().acb_digamma(r, z, p); },
+      .in_the_way = poles_of_gamma};
+  result.over_complex = [](std::span<const complex_ball> x) {
+    return value_or_undefined(of_complex, {nullptr, x[0]}, x[0].precision());
+  };
   // For x > 0 log Gamma is convex: psi(x) <= log Gamma(x + 1) - log Gamma(x) = log x <= psi(x + 1),
   // which is psi(x) + 1/x, and -log x <= 1/x.
   result.majorant = [](std::span<const ball>, int sign) -> majorant {
@@ -252,6 +262,11 @@ further_function digamma_function() {
   // psi(x) = psi(1 + x) - 1/x, and psi increases from psi(1/2) > -2 to psi(3/2) < 1 (DLMF 5.4.13,
   // 5.5.2).
   result.near_zero = [](std::span<const ball>, int) { return near_zero("-1/x", "2"); };
+  result.at_pole = [](std::span<const ball>, long k) {
+    std::string text = fmt::format("digamma(x+{})", k + 1);
+    for (long j = 0; j <= k; ++j) text += fmt::format("-1/(x+{})", j);
+    return formula(text);
+  };
   result.numerator = [](const jet<ball, 1>& x) { return digamma_over_gamma(x, trigamma); };
   result.divisor = reciprocal_gamma;
   return result;

@@ -494,6 +494,10 @@ end_series asinh(const end_series& x) {
   return end_series::regular(x, "asinh", [](const auto& g) { return asinh(g); }).with_any_remedy();
 }
 
+bool end_series::tends_to_0() const {
+  const end_series s = simplified();
+  return !s.blocked_ && s.exponent() > 0;
+}
 std::optional<long> end_series::exact_value_at_0() const {
   const end_series p = plain("");
   if (p.blocked_) return std::nullopt;

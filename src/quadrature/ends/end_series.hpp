@@ -134,6 +134,9 @@ class end_series {
   [[nodiscard]] magnitude infimum() const;
   /// The range over 0 < t <= r, of a series without logarithms and with m >= 0; else undefined.
   [[nodiscard]] double_interval real_range() const;
+  [[nodiscard]] bool tends_to_0() const;
+  /// The integer to which it is proved to tend, without logarithms and roots of t.
+  [[nodiscard]] std::optional<long> exact_value_at_0() const;
   /// Proved to be 0 everywhere.
   [[nodiscard]] bool is_zero() const;
   /// The rational number that it is proved to be everywhere.
@@ -181,7 +184,6 @@ class end_series {
   [[nodiscard]] end_series normalised(std::string_view name) const;
   /// m = 0 and K = 0, with t^m multiplied in where m is a natural number; else blocked.
   [[nodiscard]] end_series plain(std::string_view name) const;
-  [[nodiscard]] std::optional<long> exact_value_at_0() const;
 
   rational m_ = 0;
   double r_ = 0;

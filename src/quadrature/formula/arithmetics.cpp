@@ -32,7 +32,7 @@ template <class Series>
 Series formula_over(const std::string& text, std::vector<std::string> names,
                     const std::vector<Series>& x) {
   constexpr precision p = 192;
-  const expression formula(text, {.variables = std::move(names), .definitions = {}});
+  const expression formula(text, {std::move(names), {}, library_functions()});
   return formula.evaluator<Series>(p)(std::span<const Series>(x));
 }
 
@@ -127,13 +127,28 @@ struct supplement<end_series> : series_supplement<end_series> {
         if (!q) break;
         first.push_back(*q);
       }
-      if (!f.slope.empty() && first.size() + 1 == x.size())
-        return of_derivative(f, first, x.back());
+      if (first.size() + 1 == x.size()) {
+        if (auto result = at_pole(f, first, {x.begin(), x.end()})) return *std::move(result);
+        if (!f.slope.empty()) return of_derivative(f, first, x.back());
+      }
     }
     return end_series::blocked(name);
   }
 
  private:
+  /// Where the last argument tends to a pole of f.
+  static std::optional<end_series> at_pole(const further_function& f,
+                                           const std::vector<rational>& first,
+                                           const std::vector<end_series>& x) {
+    constexpr long most = 50;
+    if (!f.at_pole) return std::nullopt;
+    const auto start = x.back().tends_to_0() ? std::optional(0L) : x.back().exact_value_at_0();
+    if (!start || *start > 0 || *start < -most) return std::nullopt;
+    std::vector<ball> orders;
+    for (const rational& q : first) orders.emplace_back(q, 192);
+    const auto text = f.at_pole(orders, -*start);
+    return text ? std::optional(formula_over(*text, argument_names(f.what), x)) : std::nullopt;
+  }
   static end_series of_derivative(const further_function& f, const std::vector<rational>& first,
                                   const end_series& x) {
     const expression slope(f.slope, {argument_names(f.what), {}, library_functions()});
