@@ -92,6 +92,8 @@ TEST(Elimination, KnowsNoBoundWhereThereIsNone) {
   EXPECT_FALSE(eliminants_of({"x/y-1", "x-1"})[0]);
   EXPECT_FALSE(eliminants_of({"x^80*y^80-z^80-1", "x^90*y-z^90", "x^70+y^70*z-2"})[0]);
   EXPECT_FALSE(eliminants_of({"pi*x-y", "x+y-1"})[0]);
+  EXPECT_FALSE(eliminants_of({"((x^100)^100)^100-y", "(y^100)^100-x"})[0]);
+  EXPECT_FALSE(eliminants_of({"(x+y+1)^100-y", "(x-y+2)^100-x"})[0]);
 }
 
 TEST(Elimination, SystemsOnTheWholePlaneAreSolved) {

@@ -145,6 +145,7 @@ struct supplement<end_series> : series_supplement<end_series> {
     const auto start = x.back().tends_to_0() ? std::optional(0L) : x.back().exact_value_at_0();
     if (!start || *start > 0 || *start < -most) return std::nullopt;
     std::vector<ball> orders;
+    orders.reserve(first.size());
     for (const rational& q : first) orders.emplace_back(q, 192);
     const auto text = f.at_pole(orders, -*start);
     return text ? std::optional(formula_over(*text, argument_names(f.what), x)) : std::nullopt;

@@ -67,6 +67,8 @@ std::optional<rational> constant_in(const polynomial& p) {
   return is_constant ? std::optional(c) : std::nullopt;
 }
 
+constexpr long most_degree = 300;
+
 /// The formula as a polynomial in so many variables; nothing where it is none.
 std::optional<polynomial> polynomial_of(const symbol& f, std::size_t variables, budget& work) {
   const symbol_node& n = f.node();
@@ -248,6 +250,9 @@ std::vector<std::optional<rational_polynomial>> eliminants(std::span<const expre
     for (const expression& component : components) {
       auto p = polynomial_of(component.evaluate(std::span<const symbol>(variables)), n, work);
       if (!p) return result;
+      for (std::size_t i = 0; i < n; ++i) {
+        if (degree_in(*p, i) > most_degree) return result;
+      }
       f.push_back(*std::move(p));
     }
   } catch (const too_many&) {
