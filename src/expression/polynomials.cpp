@@ -19,6 +19,9 @@ long degree_of(const graph& g, const char* name, node_id degree) {
   return mpz_get_si(numerator(*q).backend().data());
 }
 
+/// 1 where x is defined, and else as x is.
+node_id one_like(graph& g, node_id x) { return power(g, x, g.number(0)); }
+
 /// p_n, where p_0 = 1, p_1 = (a + b x)/c and p_(k+1) = ((a + b x) p_k - d p_(k-1))/c with the terms
 /// at k = 0, 1, ....
 struct terms {
@@ -29,6 +32,7 @@ struct terms {
 };
 template <class Terms>
 node_id by_recurrence(graph& g, long n, node_id x, const Terms& at) {
+  if (n == 0) return one_like(g, x);
   node_id before = g.number(0);
   node_id result = g.number(1);
   for (long k = 0; k < n; ++k) {
@@ -67,6 +71,7 @@ chebyshev_pair chebyshev(graph& g, long n, node_id x) {
 
 node_id binomial_of(graph& g, const std::vector<node_id>& x) {
   const long n = degree_of(g, "binomial", x[1]);
+  if (n == 0) return one_like(g, x[0]);
   node_id result = g.number(1);
   for (long k = 0; k < n; ++k) {
     result = multiply(g, result, divide(g, subtract(g, x[0], g.number(k)), g.number(k + 1)));
@@ -75,10 +80,12 @@ node_id binomial_of(graph& g, const std::vector<node_id>& x) {
 }
 
 node_id chebyshev_t(graph& g, const std::vector<node_id>& x) {
-  return chebyshev(g, degree_of(g, "chebyshevT", x[0]), x[1]).t;
+  const long n = degree_of(g, "chebyshevT", x[0]);
+  return n == 0 ? one_like(g, x[1]) : chebyshev(g, n, x[1]).t;
 }
 node_id chebyshev_u(graph& g, const std::vector<node_id>& x) {
-  return chebyshev(g, degree_of(g, "chebyshevU", x[0]), x[1]).u;
+  const long n = degree_of(g, "chebyshevU", x[0]);
+  return n == 0 ? one_like(g, x[1]) : chebyshev(g, n, x[1]).u;
 }
 
 // The recurrences of DLMF 18.9.1, table 18.9.1.

@@ -14,6 +14,8 @@
 
 #include "maker.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/expression/library_functions.hpp"
+#include "polhode/expression/parse.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "polhode/roots/complex_roots.hpp"
 #include "polhode/roots/isolate.hpp"
@@ -797,6 +799,46 @@ TEST(unknown_roots, are_the_same_in_parts_mirrored_and_moved) {
     compare({{substituted(f, "x", alpha * x), a / alpha, b / alpha}}, "with alpha*x for x");
     compare({{substituted(f, "x", power(x, 3)), call("cbrt", a), call("cbrt", b)}},
             "with x^3 for x");
+  });
+}
+
+/// digamma increases from -inf to inf between two poles, and beyond the last (DLMF 5.15.1); zeta
+/// decreases from inf to 1 beyond its pole, and is below -1/2 between 0 and it.
+TEST(roots, of_digamma_and_zeta_are_one_in_each_gap) {
+  if (arb_functions()->empty()) GTEST_SKIP() << "the library was built without Arb";
+  run_cases("roots", "digamma and zeta beside their poles", 40, [](std::uint64_t seed, counts& c) {
+    maker m(seed);
+    ++c.cases;
+    const bool is_digamma = m.one_in(2);
+    const long poles = m.between(0, 8);
+    const rational level(
+        is_digamma ? m.between(-90, 30) : m.between(-30, -6) * (m.one_in(2) ? -1 : 1),
+        is_digamma ? 10 : 5);
+    const std::string text =
+        fmt::format("{}(x)-({})", is_digamma ? "digamma" : "zeta", level.str());
+    under_way(text);
+    const root_set s = isolate_roots(parse(text, {"x"}), is_digamma ? -poles : 0, 40);
+    ++c.computed;
+    const bool is_resolved =
+        s.complete && std::all_of(s.regions.begin(), s.regions.end(), [](const root_region& r) {
+          return r.verdict == root_verdict::unique;
+        });
+    ++(is_resolved ? c.certified : c.refused);
+    const auto expected = static_cast<std::size_t>(is_digamma ? poles + 1 : 1);
+    const auto fail = [&](const std::string& why) {
+      ++c.wrong;
+      ADD_FAILURE() << text << " from " << -poles << ": " << why;
+    };
+    ++c.checks;
+    if (s.regions.size() < expected) fail("a root is lost");
+    if (is_resolved && s.regions.size() != expected) fail("there are other roots");
+    for (std::size_t k = 0; is_resolved && k < s.regions.size(); ++k) {
+      ++c.checks;
+      const ball at = refine(s.regions[k], 30).enclosure;
+      if (!contains_zero(parse(text, {"x"})(at))) fail("no root");
+      const rational gap = is_digamma ? rational(static_cast<long>(k) - poles) : rational(0);
+      if (!certainly_less(ball(gap, 64), at)) fail("a root in another gap");
+    }
   });
 }
 

@@ -675,7 +675,7 @@ TEST(Integrate, RefusesNumbersThatAreNotDefined) {
     for (const std::string form :
          {"exp(-x) + 0*(C*x)", "exp(-x + 0*(C*x))", "x + 0*(C*x)", "cos(x^2 + 0*(C*x))",
           "exp(-x)*(C*x - C*x)", "exp(-x) + 0*sin(C*x)", "sin(exp(x + 0*(C*x)))",
-          "sin(x)/x + (C*x - C*x)/x", "C^0*exp(-x)"}) {
+          "sin(x)/x + (C*x - C*x)/x", "C^0*exp(-x)", "legendreP(0, C*x)*exp(-x)"}) {
       std::string text = form;
       for (std::size_t at = 0; (at = text.find('C', at)) != std::string::npos;) {
         text.replace(at, 1, undefined);
@@ -690,6 +690,24 @@ TEST(Integrate, RefusesNumbersThatAreNotDefined) {
   // A number that needs many bits.
   EXPECT_EQ(integrate(parse("exp(-x)/(exp(-2000) - exp(-3000))"), 0, inf, {.digits = 10}).verdict,
             status::certified);
+}
+
+/// A polynomial of degree 0 is 1 where its argument is defined.
+TEST(Integrate, RefusesPolynomialsOfWhatIsNotDefined) {
+  for (const char* name : {"chebyshevT", "chebyshevU", "legendreP", "hermiteH", "laguerreL"}) {
+    for (const char* degree : {"0", "1", "2", "3"}) {
+      const std::string call = std::string(name) + "(" + degree;
+      for (const char* x : {"log(-1-x^2)", "1/(x-x)", "log(cos(2))"}) {
+        const expression f = parse(call + ", " + x + ")", {"x"});
+        EXPECT_NE(integrate(f, 0, 1, {.digits = 10}).verdict, status::certified) << call << x;
+        EXPECT_FALSE(exact_integral(f, 0, 1)) << call << x;
+      }
+      EXPECT_EQ(integrate(parse(call + ", x)"), 0, 1, {.digits = 10}).verdict, status::certified);
+    }
+  }
+  EXPECT_NE(integrate(parse("binomial(log(-1-x^2), 0)"), 0, 1, {.digits = 10}).verdict,
+            status::certified);
+  EXPECT_EQ(exact_integral(parse("legendreP(0, x) + binomial(x, 0)", {"x"}), 0, 1), rational(2));
 }
 
 TEST(Integrate, RefusesWhatItCannotProve) {

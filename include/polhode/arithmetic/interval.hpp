@@ -84,5 +84,9 @@ namespace polhode {
 /// (IEEE 1788: less, strictLess).
 [[nodiscard]] bool ends_less_equal(const ball& x, const ball& y);
 [[nodiscard]] bool ends_less(const ball& x, const ball& y);
+/// x is bounded, and has no integer in it.
+[[nodiscard]] inline bool holds_no_integer(const ball& x) {
+  return x.is_bounded() && rational(ceil_of(lower_rational(x))) > upper_rational(x);
+}
 
 }  // namespace polhode

@@ -12,6 +12,7 @@
 
 #ifdef POLHODE_WITH_ARB
 #include "definition.hpp"
+#include "polhode/arithmetic/interval.hpp"
 #include "polhode/expression/expression.hpp"
 #endif
 
@@ -72,7 +73,7 @@ obstacle left_half(const call& x) {
 }
 obstacle poles_of_gamma(const call& x) {
   if (certainly_positive(x.z.re) || !contains_zero(x.z.im)) return obstacle::none;
-  return ceil_of(lower_rational(x.z.re)) > upper_rational(x.z.re) ? obstacle::none : obstacle::pole;
+  return holds_no_integer(x.z.re) ? obstacle::none : obstacle::pole;
 }
 bool is_whole(const ball& order) {
   return order.is_exact() && denominator(lower_rational(order)) == 1;

@@ -11,6 +11,7 @@
 
 #include "definition.hpp"
 #include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/interval.hpp"
 #include "polhode/arithmetic/special_functions.hpp"
 
 namespace polhode::arb_functions_impl {
@@ -202,13 +203,8 @@ majorant majorant_of_k(const ball* order, int sign) {
 // x^2/3 <= 1/12. J_0 and I_0 are 1 but for at most x^2/2, and x^2 |log x| <= x/e < 1/5 and
 // |gamma - log 2| < 1/8: K_0(x) + log x, and (pi/2) Y_0(x) - log x, are at most
 // 1/8 + (1/5 + 1/32)/2 + 1/12 < 1/3 in size.
-bool is_certainly_not_whole(const ball& order) {
-  const rational lower = lower_rational(order);
-  const integer below = floor_of(lower);
-  return lower > below && upper_rational(order) < below + 1;
-}
 leading leading_of_j(const ball* order, int sign) {
-  if (sign < 0) return is_certainly_not_whole(*order) ? not_defined() : std::nullopt;
+  if (sign < 0) return holds_no_integer(*order) ? not_defined() : std::nullopt;
   if (!certainly_less(ball(-1, few_bits), *order)) return std::nullopt;
   return near_zero("(x/2)^nu/gamma(1+nu)", "(x/2)^nu*x^2/(2*gamma(2+nu))");
 }

@@ -310,7 +310,7 @@ obstacle poles_of_polygamma(const call& x) {
   if (!x.is_real() && !x.z.is_exact() && lower_rational(x.z.re) < far) return obstacle::unknown;
   return poles_of_gamma(x);
 }
-/// The bound below.
+/// n! x^-(n+1) + (n-1)! x^-n.
 magnitude bound_of_polygamma(long n, const ball& x) {
   const auto factorial = [](long k) {
     integer product;

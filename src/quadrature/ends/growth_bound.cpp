@@ -46,11 +46,6 @@ struct exponent_range {
 };
 exponent_range range_of(const ball& y) { return {lower_rational(y), upper_rational(y)}; }
 
-bool is_certainly_not_whole(const ball& y) {
-  if (!y.is_bounded()) return false;
-  return rational(ceil_of(lower_rational(y))) > upper_rational(y);
-}
-
 /// 1/(e d): the greatest value of t^d |log t|.
 ball greatest_log() { return 1 / (exp(ball(1, bits)) * ball(log_share(), bits)); }
 
@@ -295,8 +290,7 @@ growth_bound pow(const growth_bound& x, const growth_bound& y) {
   }
   if (!y.constant_) return exp(y * log(x));
   // x^y is defined for x < 0 where y is whole.
-  if (x.sign_ < 0 && is_certainly_not_whole(*y.constant_))
-    return growth_bound::undefined("a power");
+  if (x.sign_ < 0 && holds_no_integer(*y.constant_)) return growth_bound::undefined("a power");
   if (x.sign_ <= 0) return growth_bound::blocked("a power of what may be negative");
   end_series none = end_series::blocked("pow");
   growth_bound result = x.to_the(*y.constant_, "a power", none);
