@@ -512,10 +512,49 @@ further_function theta_derivative_function(int j) {
                    [j](auto x) { return theta_derivative(j, x[0], x[1]); });
 }
 
+// Of the first arguments of f, the parts that lie in the domain, up to a power of two from its end:
+// such a ball has exactly these ends.
+
+/// The part from 0 on.
+std::optional<ball> from_zero(const ball& x) {
+  const ball zero(0, x.precision());
+  if (certainly_negative(x)) return std::nullopt;
+  if (!x.is_bounded() || certainly_less_equal(zero, x)) return x;
+  const auto log2_middle = static_cast<int>(x.magnitude_upper().log2_floor());
+  const ball middle = scale(ball(1, x.precision()), log2_middle);
+  return middle.enlarged(magnitude::power_of_two(log2_middle));
+}
+/// The part up to 1.
+std::optional<ball> up_to_one(const ball& x) {
+  const ball one(1, x.precision());
+  if (certainly_less_equal(x, one)) return x;
+  const std::optional<ball> distance = from_zero(one - x);
+  return distance ? std::optional(one - *distance) : std::nullopt;
+}
+void restrict_to(std::optional<ball> (*part)(const ball&), std::size_t count, further_function& f) {
+  f.natural_range = [=, value = f.value](balls x) -> std::optional<ball> {
+    std::vector<ball> inside(x.begin(), x.end());
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::optional<ball> known = part(x[k]);
+      if (!known) return std::nullopt;
+      inside[k] = *known;
+    }
+    return value(inside);
+  };
+}
+
 /// In the order that people see.
 further_functions make() {
   further_functions all = legendre_functions();
-  const further_functions carlson = carlson_functions();
+  for (further_function& f : all) {
+    const std::string& name = f.what.name;
+    const bool ends_at_one = name == "ellipticK" || name == "ellipticE" || name == "ellipticD";
+    if (ends_at_one && f.arity == 1) restrict_to(up_to_one, 1, f);
+  }
+  further_functions carlson = carlson_functions();
+  for (further_function& f : carlson) {
+    restrict_to(from_zero, f.what.name == "carlsonRC" ? 1 : 3, f);
+  }
   all.insert(all.end(), carlson.begin(), carlson.end());
   all.push_back(amplitude_function());
   for (const jacobi_row& row : jacobi_rows) all.push_back(function_of(row));

@@ -86,10 +86,19 @@ struct supplement<function_structure> {
     }
     return function_structure::applied_to_many(
         {x.begin(), x.end()}, [&](const std::vector<jet<ball, 1>>& t) { return on_jets(f, t); },
-        [&](const std::vector<ball>& t) { return f.value(t); });
+        [&](const std::vector<ball>& t) { return f.value(t); },
+        [&](const std::vector<ball>& t) { return natural(f, t); });
   }
 
  private:
+  template <class F>
+  static std::optional<ball> natural(const F& f, const std::vector<ball>& t) {
+    if constexpr (requires { f.natural_range; }) {
+      if (f.natural_range) return f.natural_range(t);
+    }
+    return f.value(t);
+  }
+
   static function_structure applied_once(const std::function<jet<ball, 1>(const jet<ball, 1>&)>& f,
                                          const function_structure& x) {
     const auto at = [&](const ball& t) { return f(jet<ball, 1>::constant(t))[0]; };

@@ -289,37 +289,99 @@ TEST_F(ArbFunctions, LieBelowTheirMajorants) {
   EXPECT_LE(at.radius(), magnitude::power_of_two(-180));
 }
 
+/// f(x) lies beside its leading term there; false where it has none.
+bool lies_beside(const further_function& f, const further_function::leading_formula& near,
+                 std::vector<ball> arguments, const ball& x) {
+  const precision p = x.precision();
+  arguments.push_back(x);
+  const auto at_x = [&](const std::string& text) {
+    const expression formula(text, {argument_names(f.what), {}, library_functions()});
+    return formula.evaluator<ball>(p)(std::span<const ball>(arguments));
+  };
+  const ball value = f.value(arguments);
+  const ball main = at_x(near.main);
+  if (!value.is_bounded() || !main.is_bounded()) return value.is_bounded() == main.is_bounded();
+  return !certainly_less(at_x(near.rest), abs(value - main));
+}
+
 TEST_F(ArbFunctions, LieBesideTheirLeadingTermsAtZero) {
   const precision p = 200;
   int functions = 0;
   for (const further_function& f : *arb_functions()) {
     if (!f.near_zero) continue;
-    SCOPED_TRACE(f.what.name);
     ++functions;
     for (support::repeat trial(80); trial.again();) {
       const int sign = random.one_in(3) ? -1 : 1;
       const rational nu = random.one_in(2) ? rational(random.between(0, 1)) : order();
       const rational size =
           random.one_in(4) ? rational(1, 2) : between(1, 2) / (integer(4) << random.between(0, 90));
-      std::vector<ball> arguments;
-      if (f.arity == 2) arguments.emplace_back(nu, p);
-      const auto near = f.near_zero(arguments, sign);
+      std::vector<ball> orders;
+      if (f.arity == 2) orders.emplace_back(nu, p);
+      const auto near = f.near_zero(orders, sign);
       if (!near) continue;
       const ball x(rational(sign * size), p);
-      arguments.push_back(x);
-      const auto at_x = [&](const std::string& text) {
-        const expression formula(text, {.variables = argument_names(f.what), .definitions = {}});
-        return formula.evaluator<ball>(p)(std::span<const ball>(arguments));
-      };
-      const ball value = f.value(arguments);
-      const ball main = at_x(near->main);
-      EXPECT_EQ(value.is_bounded(), main.is_bounded()) << nu << " " << x;
-      if (!value.is_bounded()) continue;
-      const ball off = abs(value - main);
-      EXPECT_FALSE(certainly_less(at_x(near->rest), off)) << nu << " " << x;
+      EXPECT_TRUE(lies_beside(f, *near, orders, x)) << f.what.name << " " << nu << " " << x;
     }
   }
   EXPECT_EQ(functions, 19);
+}
+
+TEST_F(ArbFunctions, LieBesideTheirLeadingTermsAtInfinity) {
+  const precision p = 300;
+  int functions = 0;
+  for (const further_function& f : *arb_functions()) {
+    if (!f.near_infinity) continue;
+    ++functions;
+    for (support::repeat trial(80); trial.again();) {
+      const int sign = random.one_in(3) ? -1 : 1;
+      const rational nu = random.one_in(2) ? rational(random.between(0, 5)) : order();
+      const rational size =
+          random.one_in(4) ? rational(4) : between(4, 5) * (integer(1) << random.between(0, 7));
+      std::vector<ball> orders;
+      if (f.arity == 2) orders.emplace_back(nu, p);
+      const auto near = f.near_infinity(orders, sign);
+      if (!near) continue;
+      const ball x(rational(sign * size), p);
+      EXPECT_TRUE(lies_beside(f, *near, orders, x)) << f.what.name << " " << nu << " " << x;
+    }
+  }
+  EXPECT_EQ(functions, 20);
+}
+
+/// Over sets beside and across the end of the domain; of the elliptic functions too.
+TEST_F(ArbFunctions, HaveNaturalRangesThatHoldTheirValuesWhereTheyAreDefined) {
+  const precision p = 128;
+  int functions = 0;
+  long crossing = 0;
+  for (const further_function& f : *library_functions()) {
+    if (!f.natural_range) continue;
+    SCOPED_TRACE(f.what.name);
+    ++functions;
+    for (support::repeat trial(80); trial.again();) {
+      const rational edge = random.one_in(2) ? rational(random.between(0, 1)) : rational(-3, 8);
+      const rational half = scattered(2) / (1L << random.between(0, 12));
+      const rational middle = edge + half * between(-1, 1);
+      std::vector<ball> set;
+      for (std::size_t k = 0; k + 1 < f.arity; ++k) {
+        set.emplace_back(random.one_in(2) ? rational(random.between(0, 3)) : between(-3, 4), p);
+      }
+      set.push_back(from_end_points(rational(middle - half), rational(middle + half), p));
+      const bool is_carlson = f.what.name.starts_with("carlson");
+      if (is_carlson) std::swap(set.front(), set.back());
+      const std::optional<ball> range = f.natural_range(set);
+      const bool is_bounded = range && range->is_bounded();
+      if (is_bounded && !f.value(set).is_bounded()) ++crossing;
+      for (int k = -8; k <= 8; ++k) {
+        std::vector<ball> at = set;
+        (is_carlson ? at.front() : at.back()) = ball(rational(middle + half * k / 8), p);
+        const ball value = f.value(at);
+        if (!value.is_bounded()) continue;
+        EXPECT_TRUE(range && overlaps(value, *range)) << at.front() << " " << at.back();
+      }
+    }
+  }
+  EXPECT_EQ(functions, 20);
+  EXPECT_GT(crossing, 40);
 }
 
 TEST_F(ArbFunctions, IncompleteGammaFunctionsGoOnToZero) {

@@ -10,6 +10,7 @@
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/library_functions.hpp"
 #include "polhode/expression/parse.hpp"
+#include "polhode/quadrature/zero_free_ends.hpp"
 #include "polhode/roots/isolate.hpp"
 #include "support/random.hpp"
 #include "support/reference.hpp"
@@ -533,6 +534,66 @@ TEST(IsolateRoots, OfSpecialFunctionsUpToZero) {
   count("polylog(3,-x) + x/2", 10, 1);
   count("besselJ(1/2,x)/sqrt(x) - 1", 5, 0);
   count("besselI(-1/3,x)*x - 1", 5, 1);
+}
+
+/// Across the end of their domain, and on half-lines where they grow.
+TEST(IsolateRoots, OfSpecialFunctionsOnWholeLines) {
+  if (arb_functions()->empty()) GTEST_SKIP() << "the library was built without Arb";
+  const auto count = [&](const char* text, std::size_t roots, const end_point& from = -5,
+                         const end_point& to = 5) {
+    SCOPED_TRACE(text);
+    expect_resolved(isolate_roots(parse(text), from, to), roots);
+  };
+  count("besselI(1/3,x) - 2", 1);
+  count("besselK(1,x)*exp(x) - 1", 1);
+  count("besselJ(1/2,x) - 1/2", 2);
+  count("besselY(0,x) + 1", 1);
+  count("lambertW(x) + 1/2", 1);
+  count("expint(2,x) - 1/10", 1);
+  count("dilog(x) - 1", 1);
+  count("polylog(3,x) - 1", 1);
+  count("gammaUpper(1/3,x) - 1", 1);
+  count("gammaLower(1/3,x) - 1", 1);
+  count("Ci(x)", 2);
+  count("Shi(x) - Chi(x) - 1", 1);
+  count("ellipticK(x) - 2", 1);
+  count("ellipticE(x) - 6/5", 1);
+  count("carlsonRF(x,1,2) - 1", 1);
+  count("carlsonRC(x,1) - 1/2", 0);
+  count("carlsonRJ(x,1,2,3) - 1/4", 1);
+
+  const end_point infinity = end_point::infinity();
+  count("zeta(x) - 3/2", 1, 1, infinity);
+  count("digamma(x) - log(x) + 1/10", 1, 0, infinity);
+  count("Si(x) - 2", 0, -infinity, infinity);
+  count("Ei(x) + x", 1, -infinity, infinity);
+  count("besselI(0,x) - 2", 2, -infinity, infinity);
+  count("besselI(2,x)*exp(-x) - 1/10", 2, 0, infinity);
+  count("besselK(0,x) - 1", 1, 0, infinity);
+  count("x*erfi(x) - exp(x)", 2, -infinity, infinity);
+  count("erfcx(x) - 2", 1, -infinity, infinity);
+  count("dawson(x) - 1/10", 2, -infinity, infinity);
+  count("airyBi(x) - airyAi(x)", 0, 0, infinity);
+  count("dilog(x) + 1", 1, -infinity, 1);
+  count("Shi(x) - 3", 1, -infinity, infinity);
+  count("fresnelS(x) - 1/4", 1, -infinity, infinity);
+}
+
+/// It holds from 4 on: this one has a root between 2 and 3.
+TEST(ZeroFreeEnds, TakeNoLeadingTermBeforeItHolds) {
+  if (arb_functions()->empty()) GTEST_SKIP() << "the library was built without Arb";
+  const zero_free_ends f(parse("zeta(x) - 1 - 2^(-x) - 3/10"));
+  EXPECT_TRUE(f.beyond(5));
+  EXPECT_FALSE(f.beyond(2));
+  expect_resolved(isolate_roots(parse("zeta(x) - 1 - 2^(-x) - 3/10"), 2, end_point::infinity()), 1);
+}
+
+/// J is 0 at 0, where its formula alone knows its value.
+TEST(IsolateRoots, HaveNoneAtABranchPointOnlyWhereTheValueIsNotZero) {
+  if (arb_functions()->empty()) GTEST_SKIP() << "the library was built without Arb";
+  EXPECT_FALSE(isolate_roots(parse("besselJ(1/2,x)"), -1, 1).is_resolved());
+  expect_resolved(isolate_roots(parse("besselJ(1/2,x) + 1"), -1, 1), 0);
+  EXPECT_FALSE(isolate_roots(parse("gammaLower(1/3,x)"), -1, 1).is_resolved());
 }
 
 TEST(IsolateRoots, OfZetaAreTheTrivialOnes) {

@@ -68,6 +68,9 @@ struct further_function {
   /// The derivative in the last argument, a formula in the names of what.arguments; empty where
   /// there is none. Series are made of it.
   std::string slope = {};
+  /// The range over the real numbers in the balls at which the function is defined, or more; none
+  /// where it is certainly defined at none of them. Empty where `value` says what is known.
+  std::function<std::optional<ball>(std::span<const ball>)> natural_range = nullptr;
 
   /// A bound of |f|, by which the tails of integrals are bounded, for a last argument x with this
   /// sign (1 or -1); the other arguments are numbers in the balls. May be empty, or know none.
@@ -77,14 +80,18 @@ struct further_function {
   };
   std::function<std::optional<majorant_formula>(std::span<const ball>, int sign)> majorant =
       nullptr;
-  /// Where f has no value at 0, or is not analytic there: formulas in the names of what.arguments
-  /// with |f - main| <= rest where the last argument x has this sign and 0 < |x| <= 1/2. May be
-  /// empty, or know none.
+  /// Formulas in the names of what.arguments with |f - main| <= rest where the last argument x has
+  /// this sign and lies near a place where f has no value, or is not analytic.
   struct leading_formula {
     std::string main;
     std::string rest;
+    bool oscillates = false;  // f - main does, for x -> inf: no panel holds its tail
   };
+  /// Where 0 < |x| <= 1/2. May be empty, or know none.
   std::function<std::optional<leading_formula>(std::span<const ball>, int sign)> near_zero =
+      nullptr;
+  /// Where |x| >= 4. May be empty, or know none.
+  std::function<std::optional<leading_formula>(std::span<const ball>, int sign)> near_infinity =
       nullptr;
   /// Where f has poles at 0, -1, -2, ...: a formula in the names of what.arguments that is f, and
   /// shows its pole at -k. May be empty, or know none.

@@ -126,9 +126,10 @@ class function_structure {
     return r;
   }
   /// The same for a function of any number of them, which is given vectors.
-  template <class OnJets, class OnBalls>
+  template <class OnJets, class OnBalls, class Natural>
   [[nodiscard]] static function_structure applied_to_many(const std::vector<function_structure>& x,
-                                                          OnJets&& on_jets, OnBalls&& on_balls) {
+                                                          OnJets&& on_jets, OnBalls&& on_balls,
+                                                          Natural&& natural_of) {
     std::vector<jet<ball, 1>> over;
     std::vector<ball> at_point;
     std::vector<ball> natural;
@@ -139,7 +140,7 @@ class function_structure {
     }
     function_structure r = x.front().fresh(on_jets(over), on_balls(at_point), false);
     for (const function_structure& operand : x) r.add_divisors(operand.divisors_);
-    if (natural.size() == x.size()) r.natural_ = on_balls(natural);
+    if (natural.size() == x.size()) r.natural_ = natural_of(natural);
     return r;
   }
   /// A series with the value alone, for a function with breaks.

@@ -34,6 +34,21 @@ void value_of_bi_prime(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) {
   arb().acb_hypgeom_airy(nullptr, nullptr, nullptr, r, z, p);
 }
 
+// With y = (2/3) x^(3/2), Bi(x) = sqrt(x/3) (I_(-1/3)(y) + I_(1/3)(y)) and Bi'(x) = x/sqrt(3)
+// (I_(-2/3)(y) + I_(2/3)(y)) (DLMF 9.6.4, 9.6.5), and I_(-nu) - I_nu = (2/pi) sin(nu pi) K_nu
+// (10.27.2), at most (2/pi) sqrt(pi/(2 y)) e^-y (1 + 1/y): for x >= 4, where y > 5, less than
+// e^y/sqrt(2 pi y) times 1/(10 y). So by i_at_infinity the sums are 2 e^y/sqrt(2 pi y) but for a
+// share of (1/2 + 1/3 + 1/20)/y < 2 x^(-3/2), and of (1/2 + 4/3 + 1/20)/y < 3 x^(-3/2).
+leading bi_at_infinity(const ball*, int sign) {
+  if (sign < 0) return std::nullopt;
+  return leading_term("exp(2/3*x^(3/2))/(sqrt(pi)*x^(1/4))",
+                      "2*exp(2/3*x^(3/2))/(sqrt(pi)*x^(7/4))");
+}
+leading bi_prime_at_infinity(const ball*, int sign) {
+  if (sign < 0) return std::nullopt;
+  return leading_term("x^(1/4)*exp(2/3*x^(3/2))/sqrt(pi)", "3*exp(2/3*x^(3/2))/(sqrt(pi)*x^(5/4))");
+}
+
 }  // namespace
 
 std::vector<definition> airy_functions() {
@@ -59,14 +74,17 @@ std::vector<definition> airy_functions() {
            .bound =
                [](const ball*, int sign) {
                  return sign < 0 ? oscillating("2/(sqrt(pi)*(-x)^(1/4))") : std::nullopt;
-               }},
+               },
+           .near_infinity = bi_at_infinity},
           {.what = {"airyBiPrime", "x", "derivative of airyBi", "all x"},
            .value = value_of_bi_prime,
            .slope = "x*airyBi(x)",
-           .bound = [](const ball*, int sign) {
-             return sign < 0 ? oscillating("2*(-x)^(1/4)/sqrt(pi)*(1+7/8*(1/x^2-1/x))")
-                             : std::nullopt;
-           }}};
+           .bound =
+               [](const ball*, int sign) {
+                 return sign < 0 ? oscillating("2*(-x)^(1/4)/sqrt(pi)*(1+7/8*(1/x^2-1/x))")
+                                 : std::nullopt;
+               },
+           .near_infinity = bi_prime_at_infinity}};
 }
 
 }  // namespace polhode::arb_functions_impl

@@ -49,7 +49,12 @@ namespace {
 complex_ball value_over(const definition& f, const call& x, precision p) {
   if (f.over == nullptr || x.z.is_exact()) return value_of(f, x, p);
   const bounds b = f.over(x);
-  if (b.slope.is_infinite() && b.size.is_infinite()) return value_of(f, x, p);
+  if (b.slope.is_infinite() && b.size.is_infinite()) {
+    // Over sets far out Arb may take hours.
+    constexpr int far = 40;
+    const bool is_far = magnitude::power_of_two(far) <= x.z.magnitude_upper();
+    return is_far ? complex_ball::undefined(p) : value_of(f, x, p);
+  }
   const complex_ball middle = value_of(f, {x.order, x.z.middle()}, p);
   const magnitude error = multiply_up(add_up(x.z.re.radius(), x.z.im.radius()), b.slope);
   const bool is_far = b.size <= error || !middle.is_bounded();
@@ -78,10 +83,13 @@ obstacle poles_of_gamma(const call& x) {
 bool is_whole(const ball& order) {
   return order.is_exact() && denominator(lower_rational(order)) == 1;
 }
-leading near_zero(std::string main, std::string rest) {
+leading leading_term(std::string main, std::string rest) {
   return further_function::leading_formula{std::move(main), std::move(rest)};
 }
-leading not_defined() { return near_zero("log(x)", "1"); }
+leading oscillating_beside(std::string main, std::string rest) {
+  return further_function::leading_formula{std::move(main), std::move(rest), true};
+}
+leading not_defined() { return leading_term("log(x)", "1"); }
 majorant steady(std::string text) { return further_function::majorant_formula{std::move(text)}; }
 majorant oscillating(std::string text) {
   return further_function::majorant_formula{std::move(text), true};
@@ -193,6 +201,12 @@ class gradient_by_formula {
   std::shared_ptr<once> slope_;
 };
 
+/// Bounded, and not as narrow as sets are for which the mean value theorem serves as well.
+bool is_wide(const ball& x) {
+  constexpr int narrow = 16;  // in bits
+  return x.is_bounded() && x.magnitude_upper() <= scale(x.radius(), narrow);
+}
+
 further_function function_of(const definition& f) {
   further_function result;
   result.what = f.what;
@@ -206,9 +220,17 @@ further_function function_of(const definition& f) {
     return then(at, p);
   };
   result.value = [&f, at_sets](std::span<const ball> x) {
-    if (f.over_reals != nullptr) {
-      return f.over_reals(f.has_order ? &x[0] : nullptr, x.back(), x.back().precision());
+    const ball* order = f.has_order ? &x[0] : nullptr;
+    const ball& z = x.back();
+    const precision bits = z.precision();
+    if (f.is_monotonic != nullptr && is_wide(z) && f.is_monotonic(order, z)) {
+      return at_ends(
+          [&](const ball& t) {
+            return value_or_undefined(f, {order, complex_ball(t)}, bits).re;
+          },
+          z, bits);
     }
+    if (f.over_reals != nullptr) return f.over_reals(order, z, bits);
     return at_sets(x, [&](const call& at, precision p) { return value_or_undefined(f, at, p); }).re;
   };
   result.over_complex = [&f, at_sets](std::span<const complex_ball> x) {
@@ -218,21 +240,29 @@ further_function function_of(const definition& f) {
   result.gradient = gradient_by_formula(f);
   result.over_regions = [&f](std::span<const region> x) { return over_region(f, x); };
   result.may_be_defined = f.may_be_defined;
+  if (f.is_nowhere_defined != nullptr) {
+    result.natural_range = [&f, value = result.value](std::span<const ball> x) {
+      const ball* order = f.has_order ? x.data() : nullptr;
+      if (f.is_nowhere_defined(order, x.back())) return std::optional<ball>();
+      ball range = value(x);
+      const bool is_partial = !range.is_bounded() && f.where_defined != nullptr;
+      if (is_partial && x.back().is_bounded()) range = f.where_defined(order, x.back());
+      return std::optional(std::move(range));
+    };
+  }
   result.simpler = f.simpler;
-  if (f.near_zero != nullptr) {
-    result.near_zero = [&f](std::span<const ball> orders, int sign) -> leading {
-      if (!f.has_order) return f.near_zero(nullptr, sign);
-      if (!orders[0].is_bounded()) return std::nullopt;
-      return f.near_zero(&orders[0], sign);
+  // A formula that depends on the order and on the sign of x.
+  const auto set = [&f](auto& formulas, auto* known) {
+    if (known == nullptr) return;
+    formulas = [&f, known](std::span<const ball> orders, int sign) {
+      using result_type = decltype(known(nullptr, sign));
+      if (!f.has_order) return known(nullptr, sign);
+      return orders[0].is_bounded() ? known(&orders[0], sign) : result_type();
     };
-  }
-  if (f.bound != nullptr) {
-    result.majorant = [&f](std::span<const ball> orders, int sign) -> majorant {
-      if (!f.has_order) return f.bound(nullptr, sign);
-      if (!orders[0].is_bounded()) return std::nullopt;
-      return f.bound(&orders[0], sign);
-    };
-  }
+  };
+  set(result.near_zero, f.near_zero);
+  set(result.near_infinity, f.near_infinity);
+  set(result.majorant, f.bound);
   if (f.at_pole != nullptr) {
     result.at_pole = [&f](std::span<const ball> orders, long k) {
       return f.at_pole(f.has_order ? orders.data() : nullptr, k);

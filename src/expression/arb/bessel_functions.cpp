@@ -26,10 +26,18 @@ rational most_of(const ball& order) {
   return std::max<rational>(abs(lower_rational(order)), abs(upper_rational(order)));
 }
 
-/// |J_n(z)| <= e^|Im z| for whole n, and <= |z/2|^|n| e^|Im z|/|n|! (DLMF 10.9.2, 10.14.4), with
-/// `growth` = |Im z|, `size` = |z|. Of I_n(z) = i^-n J_n(i z) the same with |Re z|.
+/// An upper bound of I_0(y), y >= 0. e^-y I_0(y) is 1/pi times the integral of e^(-y (1 - cos t))
+/// over 0 < t < pi, where 1 - cos t >= 2 t^2/pi^2: at most 1, and at most sqrt(pi/(8 y)).
+ball bound_of_i0(const ball& y) {
+  const ball most = exp(y);
+  return certainly_less(ball(1, few_bits), y) ? most * sqrt(pi(few_bits) / (8 * y)) : most;
+}
+
+/// |J_n(z)| <= I_0(|Im z|) for whole n, by the integral of e^(i z cos t) cos(n t) over 0 < t < pi,
+/// and <= |z/2|^|n| e^|Im z|/|n|! (DLMF 10.9.2, 10.14.4), with `growth` = |Im z|, `size` = |z|. Of
+/// I_n(z) = i^-n J_n(i z) the same with |Re z|.
 ball bound_of_whole(const integer& n, const ball& size, const ball& growth) {
-  ball bound = exp(growth);
+  ball bound = bound_of_i0(growth);
   constexpr long most = 1000;
   const integer order = abs(n);
   if (order > 0 && order < most) {
@@ -66,14 +74,15 @@ std::optional<ball> integral_of_tail(const ball& order, const ball& x) {
 ///          - sin(pi order) times that of e^(-z sinh t - order t) over t > 0,
 ///   pi Y = integral of sin(z sin t - order t) over 0 < t < pi
 ///          - that of (e^(order t) + e^(-order t) cos(pi order)) e^(-z sinh t) over t > 0.
-/// The first ones, and their derivatives in z, are at most pi e^|Im z|. In the others |e^(-+ order
+/// The first ones, and their derivatives in z, are at most the integral of cosh(|Im z| sin t),
+/// which is pi I_0(|Im z|). In the others |e^(-+ order
 /// t)| <= e^(m t) <= (1 + 2 s)^m with s = sinh t and m >= |order|, and dt = ds/sqrt(1 + s^2); a
 /// derivative in z has a factor s more, and s/sqrt(1 + s^2) <= 1. So both are at most the integral
 /// above with x = the least Re z; of Y twice that.
 bounds bounds_by_schlaefli(const call& x, long tails) {
   const auto tail = integral_of_tail(*x.order, least_of(x.z.re));
   if (!tail) return {};
-  const ball most = exp(greatest_size(x.z.im)) + tails * *tail / pi(few_bits);
+  const ball most = bound_of_i0(greatest_size(x.z.im)) + tails * *tail / pi(few_bits);
   return {most.magnitude_upper(), most.magnitude_upper()};
 }
 
@@ -128,15 +137,23 @@ bounds bounds_of_k(const call& x) {
 }
 /// For Re z > 0 (DLMF 10.32.4) pi I = integral of e^(z cos t) cos(order t) over 0 < t < pi
 /// - sin(pi order) times that of e^(-z cosh t - order t) over t > 0, of which the first, and its
-/// derivative, is at most pi e^(Re z); the second is at most twice K, and its derivative twice -K'.
+/// derivative, is at most pi I_0(Re z); the second is at most twice K, and its derivative at most
+/// twice -K'.
 bounds bounds_of_i(const call& x) {
   const ball growth = greatest_size(x.z.re);
   if (is_whole(*x.order)) return bounds_of_whole(x, growth);
   const bounds k = bounds_of_k(x);
   const auto sum = [&](const magnitude& tail) {
-    return (exp(growth) + 2 * upper_of(tail) / pi(few_bits)).magnitude_upper();
+    return (bound_of_i0(growth) + 2 * upper_of(tail) / pi(few_bits)).magnitude_upper();
   };
   return lesser(bounds_near_zero(x, growth), {sum(k.size), sum(k.slope)});
+}
+
+/// For nu >= 0 its series has positive terms; of a whole order it is even, or odd,
+/// and even in nu.
+bool is_i_monotonic(const ball* order, const ball& x) {
+  return (is_whole(*order) || certainly_less_equal(ball(0, few_bits), *order)) &&
+         (certainly_positive(x) || certainly_negative(x));
 }
 
 /// integral_of_tail as a formula in x.
@@ -206,30 +223,72 @@ majorant majorant_of_k(const ball* order, int sign) {
 leading leading_of_j(const ball* order, int sign) {
   if (sign < 0) return holds_no_integer(*order) ? not_defined() : std::nullopt;
   if (!certainly_less(ball(-1, few_bits), *order)) return std::nullopt;
-  return near_zero("(x/2)^nu/gamma(1+nu)", "(x/2)^nu*x^2/(2*gamma(2+nu))");
+  return leading_term("(x/2)^nu/gamma(1+nu)", "(x/2)^nu*x^2/(2*gamma(2+nu))");
 }
 leading leading_of_k(const ball* order, int sign) {
   if (sign < 0) return not_defined();
-  if (sign_of(*order) == certain_sign::zero) return near_zero("-log(x)", "1/3");
+  if (sign_of(*order) == certain_sign::zero) return leading_term("-log(x)", "1/3");
   const std::string size = certainly_negative(*order) ? "(-nu)" : "nu";
   const ball nu = abs(*order);
   const std::string main = fmt::format("gamma({0})/2*(x/2)^(-{0})", size);
   if (certainly_less(ball(1, few_bits), nu)) {  // with d = 1/2
-    return near_zero(main, fmt::format("gamma({0}-1/2)/2*(x/2)^(1-{0})", size));
+    return leading_term(main, fmt::format("gamma({0}-1/2)/2*(x/2)^(1-{0})", size));
   }
   if (!certainly_positive(nu) || !certainly_less(nu, ball(2, few_bits))) return std::nullopt;
-  return near_zero(main, fmt::format("gamma({}/2)/2", size));  // with d = nu/2
+  return leading_term(main, fmt::format("gamma({}/2)/2", size));  // with d = nu/2
 }
 leading leading_of_y(const ball* order, int sign) {
   if (sign < 0) return not_defined();
   if (sign_of(*order) != certain_sign::zero) return std::nullopt;
-  return near_zero("2/pi*log(x)", "2/(3*pi)");
+  return leading_term("2/pi*log(x)", "2/(3*pi)");
+}
+
+// Towards infinity, for nu >= 0 and x >= 4. With u = 1 - cos t the first integral of bounds_of_i
+// says that e^-x I(x) is 1/pi times the integral of e^(-x u) cos(nu t)/sqrt(u (2 - u)) over
+// 0 < u < 2, but for at most e^-x K_0(x)/pi <= e^(-2 x)/sqrt(2 pi x). Let m = 1/sqrt(2 pi x).
+//   With 1 in the place of the cosine it is at least m less the part of u > 2 in m = 1/(pi sqrt(2))
+// times the integral of e^(-x u)/sqrt(u), at most e^(-2 x)/(2 pi x); and at most m (1 + 1/(4 x))
+// and e^-x/2, as 1/sqrt(2 - u) <= (1 + u/2)/sqrt(2) for u < 1 (it is convex, and 1 <= 3/(2
+// sqrt(2)) at 1), and the integral of 1/sqrt(u (2 - u)) over 1 < u < 2 is pi/2.
+//   |cos(nu t) - 1| <= nu^2 t^2/2 <= nu^2 (pi^2/4) u, as u >= 2 t^2/pi^2: that adds nu^2 pi/4 times
+// the integral of u e^(-x u)/sqrt(u (2 - u)), at most sqrt(pi)/2 x^(-3/2) for u < 1 and, by u <= 2,
+// pi e^-x beyond.
+//   As e^-x x sqrt(2 pi x), which falls from x = 3/2 on, is less than 3/8 at 4, and sqrt(pi)/2
+// sqrt(2 pi) < 9/4, all this is at most m/x (1/4 + 3/16 + 1/16 + nu^2 (pi/4) (9/4 + 6/5)) <=
+// m/x (1/2 + 3 nu^2).
+leading i_at_infinity(const ball* order, int sign) {
+  if (!certainly_less_equal(ball(0, few_bits), *order)) return std::nullopt;
+  const std::string share = "(1/2+3*nu^2)";
+  if (sign > 0) {
+    return leading_term("exp(x)/sqrt(2*pi*x)", "exp(x)/sqrt(2*pi*x)*" + share + "/x");
+  }
+  // I(-x) = (-1)^nu I(x) of a whole order.
+  if (!is_whole(*order)) return std::nullopt;
+  const char* main = numerator(lower_rational(*order)) % 2 == 0 ? "exp(-x)/sqrt(-2*pi*x)"
+                                                                : "-exp(-x)/sqrt(-2*pi*x)";
+  return leading_term(main, "exp(-x)/sqrt(-2*pi*x)*" + share + "/(-x)");
 }
 
 /// J and I: of a negative number where the order is whole; at 0 where it is not negative as well.
 bool may_be_defined_at(known_arguments x) {
   if (!is_number(x[0]) || !is_number(x[1]) || denominator(x[0]->q) == 1) return true;
   return x[1]->q > 0 || (x[1]->q == 0 && x[0]->q > 0);
+}
+/// |J(x)| <= (x/2)^nu/gamma(nu + 1) for nu >= 0 (DLMF 10.14.4), and I increases from 0 for nu > 0.
+ball j_from_zero(const ball* order, const ball& x) {
+  const precision p = x.precision();
+  const ball upper = upper_end(x);
+  const bool is_known = certainly_positive(*order) && holds_no_integer(*order);
+  if (!is_known || !certainly_positive(upper)) return ball::undefined(p);
+  const ball size = pow(scale(upper, -1), *order) / gamma(*order + 1);
+  return size.is_bounded() ? ball(0, p).enlarged(size.magnitude_upper()) : ball::undefined(p);
+}
+ball i_from_zero(const ball* order, const ball& x) {
+  const precision p = x.precision();
+  const complex_ball upper(upper_end(x));
+  const bool is_known = certainly_positive(*order) && holds_no_integer(*order);
+  if (!is_known || !certainly_positive(upper.re)) return ball::undefined(p);
+  return hull(ball(0, p), value_of(named("besselI"), {order, upper}, p).re);
 }
 formula value_at_zero(known_arguments x) {
   if (!is_exactly(x[1], 0) || !is_number(x[0])) return std::nullopt;
@@ -248,6 +307,8 @@ std::vector<definition> bessel_functions() {
            .over = bounds_of_j,
            .slope = "(besselJ(nu-1,x)-besselJ(nu+1,x))/2",
            .may_be_defined = may_be_defined_at,
+           .is_nowhere_defined = negative_with_broken_order,
+           .where_defined = j_from_zero,
            .simpler = value_at_zero,
            .bound = majorant_of_j,
            .near_zero = leading_of_j},
@@ -258,6 +319,7 @@ std::vector<definition> bessel_functions() {
            .over = bounds_of_y,
            .slope = "(besselY(nu-1,x)-besselY(nu+1,x))/2",
            .may_be_defined = last_is_positive,
+           .is_nowhere_defined = not_positive,
            .bound = majorant_of_y,
            .near_zero = leading_of_y},
           {.what = {"besselI", "nu, x", "modified Bessel, first kind", domain},
@@ -267,9 +329,13 @@ std::vector<definition> bessel_functions() {
            .over = bounds_of_i,
            .slope = "(besselI(nu-1,x)+besselI(nu+1,x))/2",
            .may_be_defined = may_be_defined_at,
+           .is_nowhere_defined = negative_with_broken_order,
+           .where_defined = i_from_zero,
            .simpler = value_at_zero,
            .bound = majorant_of_i,
-           .near_zero = leading_of_j},
+           .is_monotonic = is_i_monotonic,
+           .near_zero = leading_of_j,
+           .near_infinity = i_at_infinity},
           {.what = {"besselK", "nu, x", "modified Bessel, second kind", "x > 0"},
            .has_order = true,
            .value = value_of_k,
@@ -277,7 +343,9 @@ std::vector<definition> bessel_functions() {
            .over = bounds_of_k,
            .slope = "-(besselK(nu-1,x)+besselK(nu+1,x))/2",
            .may_be_defined = last_is_positive,
+           .is_nowhere_defined = not_positive,
            .bound = majorant_of_k,
+           .is_monotonic = where_positive,
            .near_zero = leading_of_k}};
 }
 

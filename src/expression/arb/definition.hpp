@@ -17,6 +17,7 @@
 
 #include "arb_library.hpp"
 #include "arb_numbers.hpp"
+#include "polhode/arithmetic/interval.hpp"
 #include "polhode/expression/expression.hpp"
 #include "polhode/expression/library_functions.hpp"
 
@@ -58,15 +59,23 @@ struct definition {
   bounds (*over)(const call& x) = nullptr;
   const char* slope = "";  // f' as a formula in the names of its arguments
   std::function<bool(known_arguments)> may_be_defined = nullptr;
+  /// f is defined at no number of the real set x.
+  bool (*is_nowhere_defined)(const ball* order, const ball& x) = nullptr;
+  /// The range where f is defined, over a real set x beyond the end of its domain.
+  ball (*where_defined)(const ball* order, const ball& x) = nullptr;
   std::function<formula(known_arguments)> simpler = nullptr;
   /// Of |f(x)| for x > 0, or for x < 0 where sign is -1; `order` is nullptr where f has none.
   majorant (*bound)(const ball* order, int sign) = nullptr;
   /// f' over real sets, where the formula does not have it; nullptr: it has.
   ball (*slope_over)(const ball* order, const ball& x) = nullptr;
+  /// f is monotonic over the real set x, on which it is analytic: its values lie between those at
+  /// the ends.
+  bool (*is_monotonic)(const ball* order, const ball& x) = nullptr;
   /// f over real sets, where more is known of them; nullptr: as over rectangles.
   ball (*over_reals)(const ball* order, const ball& x, precision p) = nullptr;
-  /// f near 0; `order` is nullptr where f has none.
+  /// f near 0, and from |x| = 4 on; `order` is nullptr where f has none.
   leading (*near_zero)(const ball* order, int sign) = nullptr;
+  leading (*near_infinity)(const ball* order, int sign) = nullptr;
   /// f as a formula that shows its pole at -k.
   formula (*at_pole)(const ball* order, long k) = nullptr;
   /// Analytic functions of which f is the quotient.
@@ -96,7 +105,8 @@ struct definition {
 [[nodiscard]] obstacle poles_of_gamma(const call& x);
 [[nodiscard]] bool is_whole(const ball& order);
 
-[[nodiscard]] leading near_zero(std::string main, std::string rest);
+[[nodiscard]] leading leading_term(std::string main, std::string rest);
+[[nodiscard]] leading oscillating_beside(std::string main, std::string rest);
 /// Where f is not defined for x < 0: a formula that is not, either.
 [[nodiscard]] leading not_defined();
 [[nodiscard]] majorant steady(std::string text);
@@ -107,6 +117,35 @@ struct definition {
 /// numbers.
 [[nodiscard]] ball greatest_size(const ball& t);
 [[nodiscard]] ball least_of(const ball& t);
+
+/// f at the ends of a set of real numbers, on which it is monotonic.
+template <class F>
+[[nodiscard]] ball at_ends(const F& f, const ball& x, precision p) {
+  if (!x.is_bounded()) return ball::undefined(p);
+  detail::mpfr_cell end(p + 64);
+  x.lower(end.get());
+  const ball lower(end.get());
+  x.upper(end.get());
+  return hull(f(lower), f(ball(end.get())));
+}
+/// The greatest number of the set.
+[[nodiscard]] inline ball upper_end(const ball& x) {
+  detail::mpfr_cell end(x.precision() + 64);
+  x.upper(end.get());
+  return ball(end.get());
+}
+[[nodiscard]] inline bool always(const ball*, const ball&) { return true; }
+[[nodiscard]] inline bool where_positive(const ball*, const ball& x) {
+  return certainly_positive(x);
+}
+
+[[nodiscard]] inline bool not_positive(const ball*, const ball& x) {
+  return certainly_less_equal(x, ball(0, few_bits));
+}
+/// x < 0, and the order is no whole number.
+[[nodiscard]] inline bool negative_with_broken_order(const ball* order, const ball& x) {
+  return certainly_negative(x) && holds_no_integer(*order);
+}
 
 [[nodiscard]] bool is_number(const std::optional<pi_combination>& x);
 [[nodiscard]] bool is_exactly(const std::optional<pi_combination>& x, long n);

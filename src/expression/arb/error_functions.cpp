@@ -72,29 +72,12 @@ bounds bounds_of_erfcx(const call& x) {
   return {value.magnitude_upper(), slope.magnitude_upper()};
 }
 
-/// f at the ends of a set of real numbers, on which it is monotonic.
-template <class F>
-ball at_ends(const F& f, const ball& x, precision p) {
-  if (!x.is_bounded()) return ball::undefined(p);
-  detail::mpfr_cell end(p + 64);
-  x.lower(end.get());
-  const ball lower(end.get());
-  x.upper(end.get());
-  return hull(f(lower), f(ball(end.get())));
-}
 /// By its integral erfcx decreases, and its derivative increases.
-ball erfcx_over(const ball*, const ball& x, precision p) {
-  const definition& f = named("erfcx");
-  return at_ends(
-      [&](const ball& t) {
-        return value_of(f, {nullptr, complex_ball(t)}, p).re;
-      },
-      x, p);
-}
 ball slope_of_erfcx(const ball*, const ball& x) {
   const precision p = x.precision() + 64;
   const auto slope = [&](const ball& t) {
-    return 2 * t * erfcx_over(nullptr, t, p) - 2 / sqrt(pi(p));
+    const ball value = value_of(named("erfcx"), {nullptr, complex_ball(t)}, p).re;
+    return 2 * t * value - 2 / sqrt(pi(p));
   };
   return at_ends(slope, x, p).with_precision(x.precision());
 }
@@ -144,13 +127,41 @@ majorant majorant_of_dawson(const ball*, int sign) {
 //   Shi(x) - x is the integral of sinh(t)/t - 1 <= cosh(1/2)/6 t^2, at most |x|^3/15;
 //   Chi(x) - log x is gamma < 3/5 and the integral of (cosh(t) - 1)/t <= cosh(1/2)/2 t, at most
 //   1/14 (DLMF 6.2.16).
-leading leading_of_erfi(const ball*, int) { return near_zero("2/sqrt(pi)*x", "x^2/4"); }
-leading leading_of_dawson(const ball*, int) { return near_zero("x", "x^2/3"); }
-leading leading_of_s(const ball*, int) { return near_zero("pi/6*x^3", "x^6/20"); }
-leading leading_of_c(const ball*, int) { return near_zero("x", "x^4/8"); }
-leading leading_of_shi(const ball*, int) { return near_zero("x", "x^2/30"); }
+leading leading_of_erfi(const ball*, int) { return leading_term("2/sqrt(pi)*x", "x^2/4"); }
+leading leading_of_dawson(const ball*, int) { return leading_term("x", "x^2/3"); }
+leading leading_of_s(const ball*, int) { return leading_term("pi/6*x^3", "x^6/20"); }
+leading leading_of_c(const ball*, int) { return leading_term("x", "x^4/8"); }
+leading leading_of_shi(const ball*, int) { return leading_term("x", "x^2/30"); }
 leading leading_of_chi(const ball*, int sign) {
-  return sign > 0 ? near_zero("log(x)", "7/10") : not_defined();
+  return sign > 0 ? leading_term("log(x)", "7/10") : not_defined();
+}
+
+// For x >= 4:
+//   erfcx(x) is 1/(sqrt(pi) x) times the integral of e^-s e^(-s^2/(4 x^2)) over s > 0 (s = 2 x t),
+//   where 1 - w <= e^-w <= 1: less than that by at most 1/(2 sqrt(pi) x^3). erfcx(-x) is 2 e^(x^2)
+//   less erfcx(x).
+//   dawson D: with y = 1/(2 x), (D - y)' + 2 x (D - y) = 1/(2 x^2) > 0; with y = 1/(2 x) +
+//   1/(2 x^3), it is 3/(2 x^4) - 1/(2 x^2) < 0. So D - y keeps its sign where it has that one at 4,
+//   as D(4) = 0.12934... lies between 0.125 and 0.1328125. erfi is 2/sqrt(pi) e^(x^2) D(x).
+//   Shi and Chi are (Ei(x) +- E_1(x))/2: their distance from e^x/(2 x) is at most e^x/x^2 +
+//   e^-x/(2 x), and e^-x/(2 x) <= e^x/x^2, as x/2 <= e^(2 x).
+leading erfi_at_infinity(const ball*, int sign) {
+  return leading_term("exp(x^2)/(sqrt(pi)*x)",
+                      sign > 0 ? "exp(x^2)/(sqrt(pi)*x^3)" : "-exp(x^2)/(sqrt(pi)*x^3)");
+}
+leading erfcx_at_infinity(const ball*, int sign) {
+  return sign > 0 ? leading_term("1/(sqrt(pi)*x)", "1/(2*sqrt(pi)*x^3)")
+                  : leading_term("2*exp(x^2)", "-1/(sqrt(pi)*x)");
+}
+leading dawson_at_infinity(const ball*, int sign) {
+  return leading_term("1/(2*x)", sign > 0 ? "1/(2*x^3)" : "-1/(2*x^3)");
+}
+leading shi_at_infinity(const ball*, int sign) {
+  return sign > 0 ? leading_term("exp(x)/(2*x)", "2*exp(x)/x^2")
+                  : leading_term("exp(-x)/(2*x)", "2*exp(-x)/x^2");
+}
+leading chi_at_infinity(const ball*, int sign) {
+  return sign > 0 ? leading_term("exp(x)/(2*x)", "2*exp(x)/x^2") : std::nullopt;
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -163,6 +174,11 @@ void value_of_s(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) {
 }
 void value_of_c(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) {
   arb().acb_hypgeom_fresnel(nullptr, r, z, 1, p);
+}
+/// The integral of e^(i pi t^2/2) over t > x is, by parts, i e^(i pi x^2/2)/(pi x) and that of
+/// e^(i pi t^2/2)/(i pi t^2): at most 2/(pi x) in size.
+leading fresnel_at_infinity(const ball*, int sign) {
+  return sign > 0 ? oscillating_beside("1/2", "2/(pi*x)") : oscillating_beside("-1/2", "-2/(pi*x)");
 }
 bounds bounds_of_fresnel(const call& x) {
   const ball growth = pi(few_bits) * greatest_size(x.z.re) * greatest_size(x.z.im);
@@ -184,6 +200,7 @@ bounds bounds_of_chi(const call& x) {
 }
 ball slope_of_shi(const ball*, const ball& x) {
   const ball quotient = sinh(x) / x;
+  if (!x.is_bounded()) return ball::undefined(x.precision());
   return quotient.is_bounded() ? quotient : hull(ball(1, x.precision()), cosh(greatest_size(x)));
 }
 /// As that of Ei: (cosh(t) - 1)/t and sinh(t)/t are at most e^t for t > 0.
@@ -230,6 +247,19 @@ ball upper_over(const ball* s, const ball& x, precision p) {
 ball lower_over(const ball* s, const ball& x, precision p) {
   return from_zero(
       "gammaLower", *s, x, [](const ball&, precision bits) { return ball(0, bits); }, p);
+}
+// Where x goes on below 0, and they are not defined there.
+ball upper_from_zero(const ball* s, const ball& x) {
+  const precision p = x.precision();
+  const complex_ball upper(upper_end(x));
+  if (!holds_no_integer(*s) || !certainly_positive(*s) || !certainly_positive(upper.re)) {
+    return ball::undefined(p);
+  }
+  return hull(gamma(s->with_precision(p)), value_of(named("gammaUpper"), {s, upper}, p).re);
+}
+ball lower_from_zero(const ball* s, const ball& x) {
+  const ball rest = upper_from_zero(s, x);
+  return rest.is_bounded() ? gamma(s->with_precision(x.precision())) - rest : rest;
 }
 bool is_whole_from(const std::optional<pi_combination>& x, long least) {
   return is_number(x) && denominator(x->q) == 1 && x->q >= least;
@@ -282,10 +312,21 @@ majorant majorant_of_lower(const ball* s, int sign) {
 }
 // The lower one is the integral of t^(s-1) e^-t from 0 to x, where 1 - t <= e^-t <= 1.
 leading leading_of_upper(const ball* s, int sign) {
-  return sign > 0 && certainly_positive(*s) ? near_zero("gamma(s)", "x^s/s") : std::nullopt;
+  return sign > 0 && certainly_positive(*s) ? leading_term("gamma(s)", "x^s/s") : std::nullopt;
 }
 leading leading_of_lower(const ball* s, int sign) {
-  return sign > 0 && certainly_positive(*s) ? near_zero("x^s/s", "x^(s+1)/(s+1)") : std::nullopt;
+  return sign > 0 && certainly_positive(*s) ? leading_term("x^s/s", "x^(s+1)/(s+1)") : std::nullopt;
+}
+// By parts gamma(s, x) = x^(s-1) e^-x + (s - 1) gamma(s - 1, x), of which the last is at most
+// x^(s-2) e^-x for s <= 2; and at most x/(x - s + 2) <= 2 times that for 2 <= s <= 4 <= x, as then
+// it is x^(s-2) e^-x plus (s - 2) gamma(s - 2, x) <= (s - 2)/x gamma(s - 1, x).
+leading upper_at_infinity(const ball* s, int sign) {
+  if (sign < 0 || !certainly_less_equal(*s, ball(4, few_bits))) return std::nullopt;
+  return leading_term("x^(s-1)*exp(-x)", "2*abs(s-1)*x^(s-2)*exp(-x)");
+}
+leading lower_at_infinity(const ball* s, int sign) {
+  const majorant rest = majorant_of_upper(s, sign);
+  return rest && certainly_positive(*s) ? leading_term("gamma(s)", rest->text) : std::nullopt;
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -338,9 +379,20 @@ majorant majorant_of_polygamma(const ball* order, int sign) {
 leading leading_of_polygamma(const ball* order, int) {
   if (!is_order_of_polygamma(*order)) return std::nullopt;
   const auto n = static_cast<long>(lower_rational(*order));
-  return near_zero(
+  return leading_term(
       fmt::format("{}{}/x^{}", n % 2 == 0 ? "-" : "", factorial_text(n), n + 1),
       fmt::format("{}*2^{}+{}*2^{}", factorial_text(n), n + 1, factorial_text(n - 1), n));
+}
+
+/// For x > 0 it is (-1)^(n+1) times the integral of t^n e^(-x t)/(1 - e^-t) over t > 0 (the n-th
+/// derivative of DLMF 5.9.12); and 1/(1 - e^-t) = 1/2 + coth(t/2)/2 = 1/t + 1/2 + r with
+/// 0 <= r <= t/12, as w coth w lies between 1 and 1 + w^2/3.
+leading polygamma_at_infinity(const ball* order, int sign) {
+  if (sign < 0 || !is_order_of_polygamma(*order)) return std::nullopt;
+  const auto n = static_cast<long>(lower_rational(*order));
+  return leading_term(fmt::format("{}({}/x^{}+{}/(2*x^{}))", n % 2 == 0 ? "-" : "",
+                                  factorial_text(n - 1), n, factorial_text(n), n + 1),
+                      fmt::format("{}/(12*x^{})", factorial_text(n + 1), n + 2));
 }
 
 formula polygamma_at_pole(const ball* order, long k) {
@@ -363,7 +415,9 @@ std::vector<definition> error_functions() {
        .slope = "2/sqrt(pi)*exp(x^2)",
        .simpler = zero_at_zero,
        .bound = majorant_of_erfi,
-       .near_zero = leading_of_erfi},
+       .is_monotonic = always,
+       .near_zero = leading_of_erfi,
+       .near_infinity = erfi_at_infinity},
       {.what = {"erfcx", "x", "exp(x^2) erfc(x)", "all x"},
        .value = value_of_erfcx,
        .over = bounds_of_erfcx,
@@ -372,28 +426,32 @@ std::vector<definition> error_functions() {
            [](known_arguments x) { return is_exactly(x[0], 0) ? formula("1") : std::nullopt; },
        .bound = majorant_of_erfcx,
        .slope_over = slope_of_erfcx,
-       .over_reals = erfcx_over},
+       .is_monotonic = always,
+       .near_infinity = erfcx_at_infinity},
       {.what = {"dawson", "x", "exp(-x^2) times integral of exp(t^2)", "all x"},
        .value = value_of_dawson,
        .over = bounds_of_dawson,
        .slope = "1-2*x*dawson(x)",
        .simpler = zero_at_zero,
        .bound = majorant_of_dawson,
-       .near_zero = leading_of_dawson},
+       .near_zero = leading_of_dawson,
+       .near_infinity = dawson_at_infinity},
       {.what = {"fresnelS", "x", "integral of sin(pi t^2/2) from 0 to x", "all x"},
        .value = value_of_s,
        .over = bounds_of_fresnel,
        .slope = "sin(pi*x^2/2)",
        .simpler = zero_at_zero,
        .bound = [](const ball*, int) { return oscillating("3/2"); },
-       .near_zero = leading_of_s},
+       .near_zero = leading_of_s,
+       .near_infinity = fresnel_at_infinity},
       {.what = {"fresnelC", "x", "integral of cos(pi t^2/2) from 0 to x", "all x"},
        .value = value_of_c,
        .over = bounds_of_fresnel,
        .slope = "cos(pi*x^2/2)",
        .simpler = zero_at_zero,
        .bound = [](const ball*, int) { return oscillating("1"); },
-       .near_zero = leading_of_c},
+       .near_zero = leading_of_c,
+       .near_infinity = fresnel_at_infinity},
       {.what = {"Shi", "x", "hyperbolic sine integral", "all x"},
        .value = value_of_shi,
        .over = bounds_of_shi,
@@ -401,15 +459,20 @@ std::vector<definition> error_functions() {
        .simpler = zero_at_zero,
        .bound = [](const ball*, int sign) { return steady(sign > 0 ? "exp(x)" : "exp(-x)"); },
        .slope_over = slope_of_shi,
-       .near_zero = leading_of_shi},
+       .is_monotonic = always,
+       .near_zero = leading_of_shi,
+       .near_infinity = shi_at_infinity},
       {.what = {"Chi", "x", "hyperbolic cosine integral", "x > 0"},
        .value = value_of_chi,
        .in_the_way = left_half,
        .over = bounds_of_chi,
        .slope = "cosh(x)/x",
        .may_be_defined = last_is_positive,
+       .is_nowhere_defined = not_positive,
        .bound = majorant_of_chi,
-       .near_zero = leading_of_chi},
+       .is_monotonic = where_positive,
+       .near_zero = leading_of_chi,
+       .near_infinity = chi_at_infinity},
       {.what = {"gammaUpper", "s, x", "integral of t^(s-1) exp(-t) for t > x", "x > 0; x = 0 < s"},
        .has_order = true,
        .value = value_of_upper,
@@ -417,10 +480,14 @@ std::vector<definition> error_functions() {
        .over = bounds_of_incomplete,
        .slope = "-x^(s-1)*exp(-x)",
        .may_be_defined = may_be_incomplete,
+       .is_nowhere_defined = negative_with_broken_order,
+       .where_defined = upper_from_zero,
        .simpler = simpler_upper,
        .bound = majorant_of_upper,
+       .is_monotonic = where_positive,
        .over_reals = upper_over,
-       .near_zero = leading_of_upper},
+       .near_zero = leading_of_upper,
+       .near_infinity = upper_at_infinity},
       {.what = {"gammaLower", "s, x", "the same for 0 < t < x",
                 "s not 0, -1, ...; x > 0; x = 0 < s"},
        .has_order = true,
@@ -429,10 +496,14 @@ std::vector<definition> error_functions() {
        .over = bounds_of_incomplete,
        .slope = "x^(s-1)*exp(-x)",
        .may_be_defined = may_be_lower,
+       .is_nowhere_defined = negative_with_broken_order,
+       .where_defined = lower_from_zero,
        .simpler = simpler_lower,
        .bound = majorant_of_lower,
+       .is_monotonic = where_positive,
        .over_reals = lower_over,
-       .near_zero = leading_of_lower},
+       .near_zero = leading_of_lower,
+       .near_infinity = lower_at_infinity},
       {.what = {"polygamma", "n, x", "n-th derivative of digamma",
                 "n = 0, 1, ...; x not 0, -1, ..."},
        .has_order = true,
@@ -446,7 +517,9 @@ std::vector<definition> error_functions() {
              return is_exactly(x[0], 0) ? formula("digamma(x)") : std::nullopt;
            },
        .bound = majorant_of_polygamma,
+       .is_monotonic = where_positive,
        .near_zero = leading_of_polygamma,
+       .near_infinity = polygamma_at_infinity,
        .at_pole = polygamma_at_pole}};
 }
 

@@ -26,6 +26,15 @@ bounds bounds_of_expint(const call& x) {
           value_of(e, {&less, z}, few_bits).magnitude_upper()};
 }
 
+/// For n > 1 E_n decreases from 1/(n - 1) at 0.
+ball expint_from_zero(const ball* order, const ball& x) {
+  const precision p = x.precision();
+  const ball less = *order - 1;
+  const complex_ball upper(upper_end(x));
+  if (!certainly_positive(less) || !certainly_positive(upper.re)) return ball::undefined(p);
+  return hull(1 / less, value_of(named("expint"), {order, upper}, p).re);
+}
+
 /// Ei for Re z > 0; -E_1(-z) for Re z < 0, which is Ei(x) for x < 0.
 void value_of_ei(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) {
   if (arb().arb_is_positive(acb_realref(z)) != 0) return arb().acb_hypgeom_ei(r, z, p);
@@ -40,6 +49,9 @@ void value_of_ei(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) {
 obstacle around_zero(const call& x) {
   return certainly_positive(x.z.re) || certainly_negative(x.z.re) ? obstacle::none
                                                                   : obstacle::branch_cut;
+}
+bool where_not_zero(const ball*, const ball& x) {
+  return certainly_positive(x) || certainly_negative(x);
 }
 /// |e^z/z|.
 bounds bounds_of_ei(const call& x) {
@@ -86,13 +98,36 @@ majorant majorant_of_ei(const ball*, int sign) {
 leading leading_of_expint(const ball* order, int sign) {
   if (sign < 0) return not_defined();
   if (!order->is_exact() || lower_rational(*order) != 1) return std::nullopt;
-  return near_zero("-log(x)", "3/5");
+  return leading_term("-log(x)", "3/5");
 }
 leading leading_of_ei(const ball*, int sign) {
-  return sign > 0 ? near_zero("log(x)", "3/2") : near_zero("log(-x)", "3/5");
+  return sign > 0 ? leading_term("log(x)", "3/2") : leading_term("log(-x)", "3/5");
 }
 leading leading_of_ci(const ball*, int sign) {
-  return sign > 0 ? near_zero("log(x)", "3/5") : not_defined();
+  return sign > 0 ? leading_term("log(x)", "3/5") : not_defined();
+}
+
+// Towards infinity. By parts x E_n(x) = e^-x - n E_(n+1)(x), with 0 <= E_(n+1)(x) <= e^-x/x for
+// n >= 0 (DLMF 8.19.12): and Ei(-x) = -E_1(x).
+//
+// For x >= 4 Ei(x) - e^x/x has the derivative e^x/x^2 > 0, and Ei(x) - e^x/x - 2 e^x/x^2 has
+// e^x/x^2 (4/x - 1) <= 0. At 4 they are Ei(4) - e^4/4 > 0 and Ei(4) - 3 e^4/8 < 0 (Ei(4) =
+// 19.630..., e^4 = 54.598...).
+//
+// pi/2 - Si(x) is the imaginary part, and -Ci(x) the real part, of the integral of e^(i t)/t over
+// t > x: that is e^(i x) times that of i e^-s/(x + i s) over s > 0, at most 1/x in size.
+leading expint_at_infinity(const ball* order, int sign) {
+  const bool is_known = sign > 0 && certainly_less_equal(ball(0, few_bits), *order);
+  return is_known ? leading_term("exp(-x)/x", "n*exp(-x)/x^2") : std::nullopt;
+}
+leading ei_at_infinity(const ball*, int sign) {
+  return leading_term("exp(x)/x", sign > 0 ? "2*exp(x)/x^2" : "exp(x)/x^2");
+}
+leading si_at_infinity(const ball*, int sign) {
+  return sign > 0 ? oscillating_beside("pi/2", "1/x") : oscillating_beside("-pi/2", "-1/x");
+}
+leading ci_at_infinity(const ball*, int sign) {
+  return sign > 0 ? oscillating_beside("0", "1/x") : std::nullopt;
 }
 
 }  // namespace
@@ -109,8 +144,12 @@ std::vector<definition> exponential_integrals() {
            .over = bounds_of_expint,
            .slope = "-expint(n-1,x)",
            .may_be_defined = last_is_positive,
+           .is_nowhere_defined = not_positive,
+           .where_defined = expint_from_zero,
            .bound = majorant_of_expint,
-           .near_zero = leading_of_expint},
+           .is_monotonic = where_positive,
+           .near_zero = leading_of_expint,
+           .near_infinity = expint_at_infinity},
           {.what = {"Ei", "x", "exponential integral", "x != 0"},
            .value = value_of_ei,
            .in_the_way = around_zero,
@@ -118,23 +157,28 @@ std::vector<definition> exponential_integrals() {
            .slope = "exp(x)/x",
            .may_be_defined = is_not_zero,
            .bound = majorant_of_ei,
-           .near_zero = leading_of_ei},
+           .is_monotonic = where_not_zero,
+           .near_zero = leading_of_ei,
+           .near_infinity = ei_at_infinity},
           {.what = {"Si", "x", "sine integral", "all x"},
            .value = value_of_si,
            .over = bounds_of_si,
            .slope = "sin(x)/x",
            .simpler = zero_at_zero,
            .bound = [](const ball*, int) { return oscillating("pi"); },
-           .slope_over = slope_of_si},
+           .slope_over = slope_of_si,
+           .near_infinity = si_at_infinity},
           {.what = {"Ci", "x", "cosine integral", "x > 0"},
            .value = value_of_ci,
            .in_the_way = left_half,
            .over = bounds_of_ci,
            .slope = "cos(x)/x",
            .may_be_defined = last_is_positive,
+           .is_nowhere_defined = not_positive,
            .bound = [](const ball*,
                        int sign) { return sign > 0 ? oscillating("8*x^(-1/8)") : std::nullopt; },
-           .near_zero = leading_of_ci}};
+           .near_zero = leading_of_ci,
+           .near_infinity = ci_at_infinity}};
 }
 
 }  // namespace polhode::arb_functions_impl

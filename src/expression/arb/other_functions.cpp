@@ -40,6 +40,21 @@ obstacle cut_of_lambert(const call& x) {
   return is_off ? obstacle::none : obstacle::branch_cut;
 }
 
+bool below_lambert(const ball*, const ball& x) {
+  return certainly_less(x, -exp(ball(-1, x.precision() + 16)));
+}
+
+/// It increases from -1 at -1/e.
+ball lambert_from_branch(const ball*, const ball& x) {
+  const precision p = x.precision();
+  const complex_ball upper(upper_end(x));
+  const call at{nullptr, upper};
+  if (cut_of_lambert(at) != obstacle::none) return ball::undefined(p);
+  return hull(ball(-1, p), value_of(named("lambertW"), at, p).re);
+}
+
+bool above_1(const ball*, const ball& x) { return certainly_less(ball(1, few_bits), x); }
+
 /// The sum of z^k/k^2, continued off the cut from 1 on.
 void value_of_dilog(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) {
   arb().acb_hypgeom_dilog(r, z, p);
@@ -50,20 +65,31 @@ obstacle cut_of_dilog(const call& x) {
   return is_off ? obstacle::none : obstacle::branch_cut;
 }
 
+/// Li_2(x) + Li_2(1/x) = -pi^2/6 - log(-x)^2/2 for x < 0 (DLMF 25.12.4), with |Li_2(u)| <= -u for
+/// u < 0.
+leading dilog_at_infinity(const ball*, int sign) {
+  return sign < 0 ? leading_term("-pi^2/6-log(-x)^2/2", "-1/x") : std::nullopt;
+}
+
 /// Over real numbers up to 1 of a function that increases up to there, and is continuous at 1.
 ball between_values(const definition& f, const ball* order, const ball& x, precision p) {
-  detail::mpfr_cell end(p + 64);
-  x.upper(end.get());
-  const ball upper(end.get());
-  if (!certainly_less_equal(upper, ball(1, 2)) || !x.is_bounded()) return ball::undefined(p);
-  x.lower(end.get());
-  return hull(value_of(f, {order, complex_ball(ball(end.get()))}, p).re,
-              value_of(f, {order, complex_ball(upper)}, p).re);
+  if (!x.is_bounded() || upper_rational(x) > 1) return ball::undefined(p);
+  return at_ends([&](const ball& t) { return value_of(f, {order, complex_ball(t)}, p).re; }, x, p);
+}
+/// The same where x goes on beyond 1.
+ball up_to_1(const definition& f, const ball* order, const ball& x) {
+  const precision p = x.precision();
+  const auto at = [&](const ball& t) { return value_of(f, {order, complex_ball(t)}, p).re; };
+  detail::mpfr_cell lower(p + 64);
+  x.lower(lower.get());
+  return hull(at(ball(lower.get())), at(ball(1, p)));
 }
 /// Its slope is -log(1 - x)/x > 0.
 ball dilog_over(const ball*, const ball& x, precision p) {
   return between_values(named("dilog"), nullptr, x, p);
 }
+
+ball dilog_up_to_1(const ball*, const ball& x) { return up_to_1(named("dilog"), nullptr, x); }
 
 // For s > 0 and z off [1, inf) Li_s(z)/z is the integral of t^(s-1)/(e^t - z) over t > 0, over
 // gamma(s) (DLMF 25.12.11). Where Re z <= x < 1, |e^t - z| >= e^t - x: so |Li_s(z)/z| <= Li_s(x)/x,
@@ -104,7 +130,7 @@ ball slope_of_polylog(const ball* order, const ball& x) {
 /// For s >= 0 and |x| <= 1/2 the terms with k >= 2 are at most the sum of the |x|^k, 2 |x|^2.
 leading leading_of_polylog(const ball* order, int) {
   const bool is_known = order == nullptr || certainly_less_equal(ball(0, few_bits), *order);
-  return is_known ? near_zero("x", "2*x^2") : std::nullopt;
+  return is_known ? leading_term("x", "2*x^2") : std::nullopt;
 }
 /// For s > 1 it increases up to x = 1, where it is continuous.
 ball polylog_over(const ball* order, const ball& x, precision p) {
@@ -123,6 +149,11 @@ ball polylog_over(const ball* order, const ball& x, precision p) {
 void value_of_zeta(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) { arb().acb_zeta(r, z, p); }
 obstacle pole_of_zeta(const call& x) {
   return contains_zero(x.z.re - 1) && contains_zero(x.z.im) ? obstacle::pole : obstacle::none;
+}
+/// For s >= 4 the terms from n = 3 on are at most 3^-s and the integral of t^-s over t > 3, which
+/// is 3^(1-s)/(s - 1) <= 3^-s.
+leading zeta_at_infinity(const ball*, int sign) {
+  return sign > 0 ? leading_term("1+2^(-s)", "2*3^(-s)") : std::nullopt;
 }
 bounds bounds_of_zeta(const call& x) {
   const ball least = least_of(x.z.re);
@@ -176,6 +207,11 @@ jet<ball, 1> numerator_of_zeta(const jet<ball, 1>& x) {
   return (x - 1) * rest + 1;
 }
 
+ball polylog_up_to_1(const ball* order, const ball& x) {
+  if (!certainly_less(ball(1, few_bits), *order)) return ball::undefined(x.precision());
+  return up_to_1(named("polylog"), order, x);
+}
+
 }  // namespace
 
 std::vector<definition> other_functions() {
@@ -184,14 +220,19 @@ std::vector<definition> other_functions() {
        .value = value_of_lambert,
        .in_the_way = cut_of_lambert,
        .slope = "1/(exp(lambertW(x))*(1+lambertW(x)))",
+       .is_nowhere_defined = below_lambert,
+       .where_defined = lambert_from_branch,
        .simpler =
            [](known_arguments x) { return is_exactly(x[0], 0) ? formula("0") : std::nullopt; },
-       .bound = [](const ball*, int sign) { return sign > 0 ? steady("log(1+x)") : std::nullopt; }},
+       .bound = [](const ball*, int sign) { return sign > 0 ? steady("log(1+x)") : std::nullopt; },
+       .is_monotonic = always},
       {.what = {"dilog", "x", "dilogarithm, sum of x^k/k^2", "x <= 1"},
        .value = value_of_dilog,
        .in_the_way = cut_of_dilog,
        .slope = "-log(1-x)/x",
        .may_be_defined = [](known_arguments x) { return !is_number(x[0]) || x[0]->q <= 1; },
+       .is_nowhere_defined = above_1,
+       .where_defined = dilog_up_to_1,
        .simpler = [](known_arguments x) -> formula {
          if (is_exactly(x[0], 0)) return "0";
          if (is_exactly(x[0], 1)) return "pi^2/6";
@@ -199,7 +240,8 @@ std::vector<definition> other_functions() {
          return std::nullopt;
        },
        .over_reals = dilog_over,
-       .near_zero = leading_of_polylog},
+       .near_zero = leading_of_polylog,
+       .near_infinity = dilog_at_infinity},
       {.what = {"polylog", "s, x", "polylogarithm, sum of x^k/k^s", "x < 1; x = 1 where s > 1"},
        .has_order = true,
        .value = value_of_polylog,
@@ -211,6 +253,8 @@ std::vector<definition> other_functions() {
              return !is_number(x[1]) || x[1]->q < 1 ||
                     (x[1]->q == 1 && (!is_number(x[0]) || x[0]->q > 1));
            },
+       .is_nowhere_defined = above_1,
+       .where_defined = polylog_up_to_1,
        .simpler = [](known_arguments x) -> formula {
          if (is_exactly(x[1], 0)) return "0";
          if (is_exactly(x[1], 1) && is_number(x[0])) return "zeta(s)";
@@ -234,6 +278,8 @@ std::vector<definition> other_functions() {
          return sign > 0 ? steady("1+s/abs(s-1)") : std::nullopt;
        },
        .slope_over = slope_of_zeta,
+       .is_monotonic = [](const ball*, const ball& x) { return certainly_less(ball(1, 2), x); },
+       .near_infinity = zeta_at_infinity,
        .numerator = numerator_of_zeta,
        .divisor = divisor_of_zeta}};
 }
@@ -261,7 +307,13 @@ further_function digamma_function() {
   };
   // psi(x) = psi(1 + x) - 1/x, and psi increases from psi(1/2) > -2 to psi(3/2) < 1 (DLMF 5.4.13,
   // 5.5.2).
-  result.near_zero = [](std::span<const ball>, int) { return near_zero("-1/x", "2"); };
+  result.near_zero = [](std::span<const ball>, int) { return leading_term("-1/x", "2"); };
+  // For x > 0 psi(x) - log x + 1/(2 x) lies between -1/(12 x^2) and 0: it is -2 times the integral
+  // of t/((t^2 + x^2) (e^(2 pi t) - 1)) over t > 0 (DLMF 5.9.15), and that of t/(e^(2 pi t) - 1) is
+  // 1/24.
+  result.near_infinity = [](std::span<const ball>, int sign) {
+    return sign > 0 ? leading_term("log(x)-1/(2*x)", "1/(12*x^2)") : std::nullopt;
+  };
   result.at_pole = [](std::span<const ball>, long k) {
     std::string text = fmt::format("digamma(x+{})", k + 1);
     for (long j = 0; j <= k; ++j) text += fmt::format("-1/(x+{})", j);

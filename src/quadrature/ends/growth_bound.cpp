@@ -499,10 +499,12 @@ ball growth_bound::values() const {
   return hull(least.is_bounded() ? least : ball(0, bits), most);
 }
 
+/// Its series is that of an unknown constant: what is proved of each constant with this value is
+/// true of the function at each t.
 growth_bound growth_bound::bounded_like(std::string_view name, const ball& value) const {
   if (!value.is_bounded()) return blocked(name);
   const int sign = certainly_positive(value) ? 1 : certainly_negative(value) ? -1 : 0;
-  return made(name, abs(value), 0, abs(value), 0, sign, end_series::blocked(name));
+  return made(name, abs(value), 0, abs(value), 0, sign, one_.constant_like(known_number(value)));
 }
 
 /// For 0 < v <= 1: Gamma(v) = Gamma(1+v)/v with 1/2 < Gamma(1+v) <= 1, since log Gamma is convex, 0

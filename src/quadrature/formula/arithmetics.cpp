@@ -44,20 +44,37 @@ std::optional<Series> of_size(const F& f, const Series& bound) {
   return bound * bound.bounded_like(name_of_function(f), hull(ball(-1, p), ball(1, p)));
 }
 
-/// f(x) over a kind of series where the last argument tends to 0, by f's leading term. None where f
-/// has none.
+/// The same of an f that oscillates with x.
+template <class Series, class F>
+std::optional<Series> of_size(const F& f, const Series& bound, const Series& x, bool oscillates) {
+  auto result = of_size(f, bound);
+  if constexpr (std::same_as<Series, growth_bound>) {
+    if (result && oscillates) return result->oscillating_as(x);
+  }
+  return result;
+}
+
+/// f(x) over a kind of series where the last argument tends to 0 or grows, by f's leading term
+/// there. None where f has none.
 template <class Series, class F>
 std::optional<Series> by_leading_term(const F& f, const std::vector<Series>& x,
                                       const std::vector<ball>& values) {
   if constexpr (requires { f.near_zero; }) {
-    const int sign = x.back().sign();
-    const bool is_near =
-        contains_zero(values.back()) && certainly_less_equal(2 * abs(values.back()), ball(1, 64));
-    if (!f.near_zero || !is_near || sign == 0) return std::nullopt;
-    const auto near = f.near_zero(std::span(values).first(values.size() - 1), sign);
+    constexpr long far = 4;
+    const Series& last = x.back();
+    const ball& size = values.back();
+    const int sign = last.sign();
+    if (sign == 0) return std::nullopt;
+    const bool is_near = contains_zero(size) && certainly_less_equal(2 * abs(size), ball(1, 64));
+    const Series positive = sign > 0 ? last : -last;
+    const bool is_far =
+        !size.is_bounded() && (positive - positive.constant_like(rational(far))).sign() > 0;
+    const auto& known = is_near ? f.near_zero : f.near_infinity;
+    if (!known || !(is_near || is_far)) return std::nullopt;
+    const auto near = known(std::span(values).first(values.size() - 1), sign);
     if (!near) return std::nullopt;
     const auto names = argument_names(f.what);
-    const auto rest = of_size(f, formula_over(near->rest, names, x));
+    const auto rest = of_size(f, formula_over(near->rest, names, x), last, near->oscillates);
     return rest ? std::optional(formula_over(near->main, names, x) + *rest) : std::nullopt;
   } else {
     return std::nullopt;
@@ -73,11 +90,8 @@ std::optional<Series> by_majorant(const F& f, const std::vector<Series>& x,
     if (!f.majorant || sign == 0) return std::nullopt;
     const auto known = f.majorant(std::span(values).first(values.size() - 1), sign);
     if (!known) return std::nullopt;
-    auto result = of_size(f, formula_over(known->text, argument_names(f.what), x));
-    if constexpr (std::same_as<Series, growth_bound>) {
-      if (result && known->oscillates) return result->oscillating_as(x.back());
-    }
-    return result;
+    return of_size(f, formula_over(known->text, argument_names(f.what), x), x.back(),
+                   known->oscillates);
   } else {
     return std::nullopt;
   }

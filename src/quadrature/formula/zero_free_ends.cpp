@@ -113,6 +113,9 @@ bool zero_free_ends::beyond(const rational& from) const {
   if (has_no_zero(growth(f, argument({}, from / 4, -1))) || has_no_zero(growth(f, far(from)))) {
     return true;
   }
+  // Where exponentials grow.
+  const auto along = tail_series::argument(known_number(rational(from / 4)), 0.25);
+  if (f.evaluator<tail_series>(192)(along).sign() != 0) return true;
   if (f.variables().size() != 1) return false;
   // Where 1/f has values, f is not 0.
   const auto reciprocal = from > 0 ? reciprocal_by_decay(f) : std::nullopt;

@@ -440,9 +440,10 @@ class examination {
                                                  : function_structure::variable_at(at, 0, b.bits));
       const bool is_known =
           s && (!s->natural_range() || is_certainly_not_zero(*s->natural_range()));
-      if (!is_known && !is_undefined_at(b, at)) return {};
+      const std::optional<ball> value = is_known ? s->natural_range() : value_at(b, at);
+      if (value && !is_certainly_not_zero(*value)) return {};
       if (!grows_on_both_sides(b, x, at)) return {};
-      const bool is_defined_there = is_known && s->natural_range();
+      const bool is_defined_there = value.has_value();
       result_.singular.push_back({is_defined_there ? x : point, 0});
       result_.excluded.push_back({b.x, x});
       return true;
@@ -450,17 +451,17 @@ class examination {
     return first_of_simple_points(b.x, b.bits, removed_at).has_value();
   }
 
-  /// The formula certainly has no value at the point.
-  bool is_undefined_at(const work_box& b, const pi_combination& at) {
+  /// The formula at the point, where exact rules know more than balls; nothing where it certainly
+  /// has no value there.
+  std::optional<ball> value_at(const work_box& b, const pi_combination& at) {
     const expression* const f = problem(b).g->formula();
-    if (f == nullptr) return false;
+    if (f == nullptr) return ball::undefined(b.bits);
     try {
       const symbol point = formula_of(end_point(at))->evaluate(std::span<const symbol>());
-      (void)expression((*f)(point), f->names());
+      return expression((*f)(point), f->names()).known_value(b.bits).enclosure();
     } catch (const input_error&) {
-      return true;
+      return std::nullopt;
     }
-    return false;
   }
 
   /// The only root of g in the box, to the digits that a place is worth.
