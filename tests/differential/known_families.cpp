@@ -334,7 +334,34 @@ integral_case error_integral(maker& m) {
   const auto to_infinity = [&](const term& f) { c.value = -substituted(f, "x", c.from); };
   const term root_pi = call("sqrt", term("pi"));
   term f = 0;
-  switch (m.between(0, 13)) {
+  const term half = term(1) / 2;
+  // A function of u less its limit at infinity, with the antiderivative that tends to 0 there.
+  const auto less_limit = [&](const char* name, const term& u, const term& limit,
+                              const term& rest) {
+    c.integrand = k * (call(name, u) - limit);
+    f = u * (call(name, u) - limit) + rest;
+    to_infinity(f);
+  };
+  const term whole = k * x;
+  const term phase = term("pi") * whole * whole / 2;
+  switch (m.between(0, 18)) {
+    case 14:
+      less_limit("Si", t, term("pi") / 2, call("cos", t));
+      break;
+    case 15:
+      less_limit("Ci", t, 0, -call("sin", t));
+      break;
+    case 16:
+      less_limit("fresnelS", whole, half, call("cos", phase) / term("pi"));
+      break;
+    case 17:
+      less_limit("fresnelC", whole, half, -call("sin", phase) / term("pi"));
+      break;
+    case 18:
+      c.integrand = k * (call("digamma", t) - call("log", t) + half / t);
+      f = call("log_gamma", t) - t * call("log", t) + t + call("log", t) / 2;
+      c.value = call("log", 2 * term("pi")) / 2 - substituted(f, "x", c.from);
+      break;
     case 0:
       c.integrand = k * call("erfi", t);
       f = t * call("erfi", t) - call("exp", t * t) / root_pi;

@@ -64,12 +64,17 @@ void value_of_erfcx(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) {
   arb().acb_hypgeom_erfc(r, z, p);
   arb().acb_mul(r, r, factor.get(), p);
 }
-/// The derivative is 2 x erfcx(x) - 2/sqrt(pi).
+/// The derivative is 2 x erfcx(x) - 2/sqrt(pi), for x > 0 of size at most 1/(sqrt(pi) x^2) as well
+/// (erfcx_at_infinity).
 bounds bounds_of_erfcx(const call& x) {
   const ball least = least_of(x.z.re);
   const ball value = value_of(named("erfcx"), {nullptr, complex_ball(least)}, 2 * few_bits).re;
-  const ball slope = 2 * least * value - 2 / sqrt(pi(2 * few_bits));
-  return {value.magnitude_upper(), slope.magnitude_upper()};
+  const ball root = sqrt(pi(2 * few_bits));
+  magnitude slope = (2 * least * value - 2 / root).magnitude_upper();
+  if (certainly_positive(least)) {
+    slope = std::min(slope, (1 / (root * square(least))).magnitude_upper());
+  }
+  return {value.magnitude_upper(), slope};
 }
 
 /// By its integral erfcx decreases, and its derivative increases.

@@ -26,7 +26,11 @@ double log2_of_samples(const segment& s, double log2_scale) {
   const auto f = evaluator_of(s, 64);
   double most = -infinite;
   const auto sample = [&](const ball& t, double log2_length) {
-    const complex_ball value = f(t);
+    complex_ball value = f(t);
+    // Of what cannot be told from 0 the size is that of rounding errors.
+    for (precision p = 256; p <= 4096 && contains_zero(value); p *= 2) {
+      value = evaluator_of(s, p)(t.with_precision(p));
+    }
     if (!value.is_bounded()) return;
     const double size = estimated_log2(value.magnitude_upper());
     most = std::max(most, size + log2_scale + log2_length);

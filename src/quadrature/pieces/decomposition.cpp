@@ -58,57 +58,72 @@ T argument_of(const known_amplitudes& a, const T& y) {
   return y * value_as<T>(a.slope, y) + value_as<T>(a.shift, y);
 }
 
-/// y^(-1/2) times a number, for real y > 0.
+constexpr const char* name_of_amplitudes = "a function that oscillates";
+
+/// A function of y of at most that size, for slope y + shift with shift >= 0, where `inverse` is
+/// 1/y and at most `greatest`: |slope y + shift| >= slope |y|.
+template <class Series, class Bounded>
+wave_amplitudes<Series> bounds_over(const known_amplitudes& a, const Series& inverse,
+                                    const ball& greatest, const Bounded& bounded) {
+  const wave_amplitudes<amplitude_bound> bounds =
+      bounds_of_wave_amplitudes(a.of, a.slope / greatest);
+  const auto over = [&](const amplitude_bound& bound) {
+    const ball size =
+        ball(0, least_bits).enlarged(bound.factor) / pow(a.slope, ball(bound.exponent, least_bits));
+    return pow(inverse, inverse.constant_like(bound.exponent)) * bounded(size);
+  };
+  return {over(bounds.p), over(bounds.q)};
+}
+
+/// For real y > 0.
 template <class Series>
-hankel_amplitudes<Series> bounds_for_reals(const known_amplitudes& a, const Series& y) {
+wave_amplitudes<Series> bounds_for_reals(const known_amplitudes& a, const Series& y) {
   const Series inverse = y.constant_like(rational(1)) / y;
   const ball values = inverse.values();  // of 1/y
-  ball size = ball::undefined(least_bits);
-  if (values.is_bounded()) {
-    const ball greatest(upper_rational(values), least_bits);
-    size = ball(0, least_bits).enlarged(bound_of_hankel_amplitudes(a.order, a.slope / greatest)) /
-           sqrt(a.slope);
+  if (!values.is_bounded()) {
+    const Series none = inverse.bounded_like(name_of_amplitudes, values);
+    return {none, none};
   }
-  const Series known = sqrt(inverse) * inverse.bounded_like("a Bessel function", size);
-  return {known, known};
+  const ball greatest(upper_rational(values), least_bits);
+  return bounds_over(a, inverse, greatest, [&](const ball& size) {
+    return inverse.bounded_like(name_of_amplitudes, size);
+  });
 }
 
 }  // namespace
 
-hankel_amplitudes<region> amplitudes_at(const known_amplitudes& a, const region& y) {
-  return hankel_amplitudes_at(a.order, argument_of(a, y));
+wave_amplitudes<region> amplitudes_at(const known_amplitudes& a, const region& y) {
+  return wave_amplitudes_at(a.of, argument_of(a, y));
 }
 
-hankel_amplitudes<analytic_ball> amplitudes_at(const known_amplitudes& a, const analytic_ball& y) {
-  const auto [p, q] = hankel_amplitudes_at(a.order, argument_of(a, y).value());
+wave_amplitudes<analytic_ball> amplitudes_at(const known_amplitudes& a, const analytic_ball& y) {
+  const auto [p, q] = wave_amplitudes_at(a.of, argument_of(a, y).value());
   return {analytic_ball(p), analytic_ball(q)};
 }
 
-hankel_amplitudes<ball> amplitudes_at(const known_amplitudes& a, const ball& y) {
-  const auto [p, q] = hankel_amplitudes_at(a.order, complex_ball(argument_of(a, y)));
+wave_amplitudes<ball> amplitudes_at(const known_amplitudes& a, const ball& y) {
+  const auto [p, q] = wave_amplitudes_at(a.of, complex_ball(argument_of(a, y)));
   return {p.re, q.re};
 }
 
-// With z = slope y + shift, |z| >= slope |y| where Re y >= 0: |P| and |Q| are at most C |z|^(-1/2)
-// <= C slope^(-1/2) |y|^(-1/2), for the C of the least |z|. A bound of a function of t at some t is
-// a bound of that function with the constant P sqrt(y) of this t.
-hankel_amplitudes<end_series> amplitudes_at(const known_amplitudes& a, const end_series& y) {
+// A bound of a function of t at some t is a bound of that function with the constant P y^e of this
+// t.
+wave_amplitudes<end_series> amplitudes_at(const known_amplitudes& a, const end_series& y) {
   const end_series inverse = 1 / y;
   const double greatest = inverse.real_range().upper();  // of 1/y = |t|/c
   if (inverse.is_blocked() || !(greatest > 0)) {
-    const end_series none = end_series::blocked("a Bessel function");
+    const end_series none = end_series::blocked(name_of_amplitudes);
     return {none, none};
   }
-  const magnitude most = bound_of_hankel_amplitudes(a.order, a.slope / ball::exactly(greatest, 64));
-  const ball size = ball(0, least_bits).enlarged(most) / sqrt(a.slope);
-  const end_series known = sqrt(inverse) * inverse.bounded_like(size.magnitude_upper());
-  return {known, known};
+  return bounds_over(a, inverse, ball::exactly(greatest, 64), [&](const ball& size) {
+    return inverse.bounded_like(size.magnitude_upper());
+  });
 }
 
-hankel_amplitudes<tail_series> amplitudes_at(const known_amplitudes& a, const tail_series& y) {
+wave_amplitudes<tail_series> amplitudes_at(const known_amplitudes& a, const tail_series& y) {
   return bounds_for_reals(a, y);
 }
-hankel_amplitudes<growth_bound> amplitudes_at(const known_amplitudes& a, const growth_bound& y) {
+wave_amplitudes<growth_bound> amplitudes_at(const known_amplitudes& a, const growth_bound& y) {
   return bounds_for_reals(a, y);
 }
 
@@ -121,7 +136,7 @@ oscillation::oscillation(const amplitude_formulas& w, ball frequency, variable_v
   over_analytic_balls_ = w.whole->evaluator<analytic_ball>(p);
 }
 
-double oscillation::least_slope_of_bessel() const {
+double oscillation::least_slope_of_amplitudes() const {
   double least = HUGE_VAL;
   for (const known_amplitudes& a : values_.amplitudes) {
     least = std::min(least, double_interval::from_ball(a.slope).lower());
@@ -171,7 +186,7 @@ void decomposition::choose(const separated& parts) try {
   const std::size_t count = numbers_.size();
   for (const auto& a : parts.amplitudes) {
     amplitudes_.push_back(
-        {a.variable, a.order, formula_in(a.slope, count), formula_in(a.shift, count)});
+        {a.variable, a.of, formula_in(a.slope, count), formula_in(a.shift, count)});
   }
   const variable_values values = values_at(least_bits);
   for (const known_amplitudes& a : values.amplitudes) {
@@ -180,6 +195,9 @@ void decomposition::choose(const separated& parts) try {
     if (!is_usable) return;
   }
   const std::vector<possibly_exact_constant>& numbers = values.numbers;
+  for (const symbol& c : parts.positive) {
+    if (!certainly_positive(value_of(formula_in(c, count), numbers, least_bits))) return;
+  }
   for (const auto& [w, a] : *parts.terms) {
     if (w.empty()) {
       steady_ = formulas_of({a.re, std::nullopt}, count);  // real for real y
@@ -205,7 +223,7 @@ variable_values decomposition::values_at(precision p) const {
     result.numbers.push_back(number ? number(p) : possibly_exact_constant(rational(0)));
   }
   for (const amplitudes_of_constants& a : amplitudes_) {
-    result.amplitudes.push_back({a.variable, a.order, value_of(a.slope, result.numbers, p),
+    result.amplitudes.push_back({a.variable, a.of, value_of(a.slope, result.numbers, p),
                                  value_of(a.shift, result.numbers, p)});
   }
   return result;

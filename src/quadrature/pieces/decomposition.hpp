@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "polhode/expression/hankel_amplitudes.hpp"
+#include "polhode/expression/wave_amplitudes.hpp"
 #include "quadrature/formula/arithmetics.hpp"
 #include "quadrature/formula/integrand.hpp"
 #include "quadrature/pieces/waves.hpp"
@@ -18,17 +18,17 @@ namespace polhode::detail::oscillations {
 
 /// P and Q at slope y + shift.
 struct known_amplitudes;
-[[nodiscard]] hankel_amplitudes<region> amplitudes_at(const known_amplitudes& a, const region& y);
-[[nodiscard]] hankel_amplitudes<analytic_ball> amplitudes_at(const known_amplitudes& a,
-                                                             const analytic_ball& y);
-[[nodiscard]] hankel_amplitudes<ball> amplitudes_at(const known_amplitudes& a, const ball& y);
-/// For y = c t^-1 with c > 0, Re t >= 0: bounds only, y^(-1/2) times a number.
-[[nodiscard]] hankel_amplitudes<end_series> amplitudes_at(const known_amplitudes& a,
-                                                          const end_series& y);
-[[nodiscard]] hankel_amplitudes<tail_series> amplitudes_at(const known_amplitudes& a,
-                                                           const tail_series& y);
-[[nodiscard]] hankel_amplitudes<growth_bound> amplitudes_at(const known_amplitudes& a,
-                                                            const growth_bound& y);
+[[nodiscard]] wave_amplitudes<region> amplitudes_at(const known_amplitudes& a, const region& y);
+[[nodiscard]] wave_amplitudes<analytic_ball> amplitudes_at(const known_amplitudes& a,
+                                                           const analytic_ball& y);
+[[nodiscard]] wave_amplitudes<ball> amplitudes_at(const known_amplitudes& a, const ball& y);
+/// For y = c t^-1 with c > 0, Re t >= 0: bounds only, a power of y times a number.
+[[nodiscard]] wave_amplitudes<end_series> amplitudes_at(const known_amplitudes& a,
+                                                        const end_series& y);
+[[nodiscard]] wave_amplitudes<tail_series> amplitudes_at(const known_amplitudes& a,
+                                                         const tail_series& y);
+[[nodiscard]] wave_amplitudes<growth_bound> amplitudes_at(const known_amplitudes& a,
+                                                          const growth_bound& y);
 
 /// u and v of an amplitude W = u + i v, and W, as formulas in the variables of waves.hpp.
 struct amplitude_formulas {
@@ -37,10 +37,10 @@ struct amplitude_formulas {
   std::optional<expression> whole;  // where one of them is not 0
 };
 
-/// Those of Bessel functions, with the constants to some precision: slope > 0, shift >= 0.
+/// Those of functions that oscillate, with the constants to some precision: slope > 0, shift >= 0.
 struct known_amplitudes {
   std::size_t variable;
-  rational order;
+  wave_function of;
   ball slope;
   ball shift;
 };
@@ -59,8 +59,8 @@ class oscillation {
   [[nodiscard]] const ball& frequency() const { return frequency_; }
   /// The series of parts() are bounds, not what W is.
   [[nodiscard]] bool has_bounds_only() const { return !values_.amplitudes.empty(); }
-  /// Infinite where there are no Bessel functions.
-  [[nodiscard]] double least_slope_of_bessel() const;
+  /// Of the arguments of amplitudes; infinite where there are none.
+  [[nodiscard]] double least_slope_of_amplitudes() const;
   /// u and v, where they are not 0, over a series.
   template <class Series>
   [[nodiscard]] std::vector<std::optional<Series>> parts(const Series& y) const {
@@ -90,7 +90,7 @@ class oscillation {
       result.push_back(constant_beside(y, c));
     }
     for (const known_amplitudes& a : values_.amplitudes) {
-      const hankel_amplitudes<T> at = amplitudes_at(a, y);
+      const wave_amplitudes<T> at = amplitudes_at(a, y);
       result[a.variable] = at.p;
       result[a.variable + 1] = at.q;
     }
@@ -143,7 +143,7 @@ class decomposition {
   std::vector<std::function<possibly_exact_constant(precision)>> numbers_;
   struct amplitudes_of_constants {
     std::size_t variable;
-    rational order;
+    wave_function of;
     expression slope;
     expression shift;
   };

@@ -95,10 +95,10 @@ integrand steady_part(const shared_decomposition& f) {
   result.evaluator = [at](precision p) -> std::function<ball(const ball&)> {
     return [w = at(p)](const ball& y) { return w->real_part(y); };
   };
-  // Amplitudes of Bessel functions have no series at infinity: bounds are all that is known.
+  // Amplitudes of special functions have no series at infinity: bounds are all that is known.
   const bool has_series = !at(192)->has_bounds_only();
   result.near_end = [=](const end_series& y) {
-    return has_series ? over_series(y) : end_series::blocked("a Bessel function");
+    return has_series ? over_series(y) : end_series::blocked("a function that oscillates");
   };
   result.near_infinity = [=](const tail_series& y) { return over_series(y); };
   result.growth = [=](const growth_bound& y) { return over_series(y); };
@@ -128,17 +128,17 @@ std::vector<start_of_lines> possible_starts(const rational& theta) {
   return result;
 }
 
-/// Amplitudes of Bessel functions have cheap values where their asymptotic series are good enough,
+/// Amplitudes of special functions have cheap values where their asymptotic series are good enough,
 /// from about 0.35 |log2 goal| on: the least exponent of Y0 by which they are. Smaller where f
 /// turns too often up to there.
-long least_exponent_for_bessel(const decomposition& parts, double log2_goal) {
+long least_exponent_for_amplitudes(const decomposition& parts, double log2_goal) {
   constexpr double most_turned = 1024;  // in radians
   double turned = 0;                    // up to y = 1
   double slope = HUGE_VAL;
   for (std::size_t k = 0; k < parts.count(); ++k) {
     const std::shared_ptr<const oscillation> w = parts.at(k, 192);
     turned = std::max(turned, double_interval::from_ball(w->frequency()).upper());
-    slope = std::min(slope, w->least_slope_of_bessel());
+    slope = std::min(slope, w->least_slope_of_amplitudes());
   }
   long e = 0;
   if (slope < HUGE_VAL) {
@@ -190,7 +190,7 @@ std::optional<oscillating_end> oscillations_at(const integrand& f, const end_poi
   if (!f.graph) return std::nullopt;
   const auto parts = std::make_shared<const decomposition>(f, p, s, infinite, sign);
   if (!parts->is_found() || parts->count() == 0) return std::nullopt;
-  const long least = least_exponent_for_bessel(*parts, log2_goal);
+  const long least = least_exponent_for_amplitudes(*parts, log2_goal);
   for (const start_of_lines& at : possible_starts(parts->theta())) {
     if (at.exponent < least) continue;
     const std::vector<magnitude> bounds = bounds_beyond(*parts, at);

@@ -9,14 +9,15 @@
 //
 // with functions u_0, u_j, v_j that are real for real y. They are found in f's formula: the
 // sine or cosine of P = w y + R, R a sum of powers y^e with e <= 0, is of this form, and so are J
-// and Y of w y + c, c >= 0 (hankel_amplitudes.hpp), and the sums, products and whole powers of what
-// is.
+// and Y, Si and Ci of w y + c, c >= 0, Fresnel's integrals of a root of y (wave_amplitudes.hpp),
+// and the sums, products and whole powers of what is.
 //
 // ROTATION. Let u_j and v_j be known as end_series in t = 1/y over the square of half-side r >=
-// 1/Y0, with powers t^m, m > 0; or be sums and products of such and of amplitudes of J and Y, which
-// are analytic for Re z > 0 and bounded there by C |z|^(-1/2). Then W = u_j + i v_j is analytic for
-// |z| > 1/r, Re z > 0, and W(z) -> 0 there as |z| -> infinity, uniformly. By Cauchy's theorem over
-// the boundary of the quarter disc |z - Y0| < R, Re z > Y0, Im z > 0, on whose arc the integral of
+// 1/Y0, with powers t^m, m > 0; or be sums and products of such and of amplitudes of these
+// functions, which are analytic for Re z > 0 and bounded there by C |z|^-d, d > 0. Then W = u_j +
+// i v_j is analytic for |z| > 1/r, Re z > 0, and W(z) -> 0 there as |z| -> infinity, uniformly.
+// By Cauchy's theorem over the boundary of the quarter disc |z - Y0| < R, Re z > Y0, Im z > 0, on
+// whose arc the integral of
 // W(z) e^(iwz) vanishes as R -> infinity (C. Jordan's lemma; E. T. Whittaker, G. N. Watson, A
 // Course of Modern Analysis, 1927, section 6.222),
 //

@@ -45,7 +45,7 @@ using power_sum = std::map<rational, coefficient>;
 /// conjugate.
 struct wave {
   std::map<frequency, amplitude> terms;
-  /// Where there is no oscillation, and it is known.
+  /// The part that does not oscillate, where it is known.
   std::optional<power_sum> powers;
 
   /// Only the frequency without terms, which is 0.
@@ -115,6 +115,7 @@ class separation {
     result.constants = std::move(constants_);
     result.numbers = std::move(numbers_);
     result.amplitudes = std::move(amplitudes_);
+    result.positive = std::move(positive_);
     return result;
   }
 
@@ -171,8 +172,9 @@ class separation {
     return result;
   }
   [[nodiscard]] static bool is_constant(const wave& x) {
-    return x.powers && std::all_of(x.powers->begin(), x.powers->end(),
-                                   [](const auto& term) { return term.first == 0; });
+    return x.is_steady() && x.powers &&
+           std::all_of(x.powers->begin(), x.powers->end(),
+                       [](const auto& term) { return term.first == 0; });
   }
 
   static coefficient times(const coefficient& x, const coefficient& y) {
@@ -266,6 +268,12 @@ class separation {
     wave result;
     result.terms = x.terms;
     for (const auto& [w, a] : y.terms) result.terms[w] = result.terms[w] + a;
+    result.powers = sum_of_powers(x, y);
+    if (result.powers) {
+      // A part that cancels is 0, not a difference of numbers.
+      result.terms.erase(frequency{});
+      if (!result.powers->empty()) result.terms[{}].re = value(*result.powers);
+    }
     return limited(std::move(result));
   }
   [[nodiscard]] std::optional<wave> times(const wave& x, const wave& y) const {
@@ -279,6 +287,7 @@ class separation {
         at = at + a * b;
       }
     }
+    if (!result.terms.contains(frequency{})) result.powers.emplace();
     return limited(std::move(result));
   }
   [[nodiscard]] static std::optional<wave> limited(wave x) {
@@ -337,6 +346,7 @@ class separation {
     if (w.factor) constants_.emplace(w.factor->name, w.factor->value);
     result.terms[key] = a;
     result.terms[negative(key)] = conjugate(a);
+    result.powers.emplace();
     return result;
   }
   /// Of pi x.
@@ -354,7 +364,8 @@ class separation {
     if (node.is_piecewise()) return std::nullopt;
     return of_function(node, *waves[node.left], *waves[node.right]);
   }
-  /// Bessel's J and Y of a rational order, and Airy functions towards minus infinity.
+  /// Bessel's J and Y of a rational order, sine, cosine and Fresnel's integrals, and Airy functions
+  /// towards minus infinity.
   [[nodiscard]] std::optional<wave> of_call(const formula_graph::call& call,
                                             const std::vector<std::optional<wave>>& waves) {
     // A function of this name in another list may be anything.
@@ -368,16 +379,15 @@ class separation {
       const std::optional<rational>& order = f_->node(call.operands[0]).exact;
       return order ? bessel(*order, x, name == "besselJ") : std::nullopt;
     }
+    if (name == "Ci") return oscillating({integrals, 0}, x, false);
+    if (name == "Si" || name == "fresnelS" || name == "fresnelC") return odd_integral(name, x);
     return airy(name, x);
   }
-  /// J or Y of w y + c; not where w < 0 or c < 0 is known.
-  [[nodiscard]] std::optional<wave> bessel(const rational& order, wave x, bool first_kind) {
-    // J(-x) = (-1)^order J(x) for a whole order.
-    const coefficient& greatest = x.powers->rbegin()->second;
-    const bool is_mirrored =
-        first_kind && !greatest.factor && greatest.q < 0 && denominator(order) == 1;
-    if (is_mirrored) x = negated(x);
-    const bool changes_sign = is_mirrored && numerator(order) % 2 != 0;
+  static constexpr auto integrals = wave_function::family::integral_of_power;
+
+  /// P cos + Q sin, or P sin - Q cos, of w y + c; not where w < 0 or c < 0 is known.
+  [[nodiscard]] std::optional<wave> oscillating(const wave_function& f, const wave& x,
+                                                bool first_kind) {
     const auto& [e, slope] = *x.powers->rbegin();
     if (e > 0 && e != 1) growth_ = e;
     if (e != 1 || !may_be_positive(slope)) return std::nullopt;
@@ -390,7 +400,7 @@ class separation {
     }
     const std::size_t variable = first_number + numbers_.size();
     numbers_.insert(numbers_.end(), 2, nullptr);
-    amplitudes_.push_back({variable, order, value(slope), value(shift)});
+    amplitudes_.push_back({variable, f, value(slope), value(shift)});
     const wave p = steady(symbol::variable(variable));
     const wave q = steady(symbol::variable(variable + 1));
     const std::optional<wave> sine = circular(x, true);
@@ -398,8 +408,44 @@ class separation {
     if (!sine || !cosine) return std::nullopt;
     const std::optional<wave> with_p = times(p, first_kind ? *cosine : *sine);
     const std::optional<wave> with_q = times(q, first_kind ? *sine : negated(*cosine));
-    std::optional<wave> result = with_p && with_q ? sum(*with_p, *with_q) : std::nullopt;
+    return with_p && with_q ? sum(*with_p, *with_q) : std::nullopt;
+  }
+  /// A minus sign leads it. What the sign of its number is the decomposition asks.
+  [[nodiscard]] static bool has_minus(const wave& x) { return x.powers->rbegin()->second.q < 0; }
+  [[nodiscard]] std::optional<wave> bessel(const rational& order, const wave& x, bool first_kind) {
+    // J(-x) = (-1)^order J(x) for a whole order.
+    const bool is_mirrored = first_kind && has_minus(x) && denominator(order) == 1;
+    const std::optional<wave> result = oscillating({wave_function::family::bessel, order},
+                                                   is_mirrored ? negated(x) : x, first_kind);
+    const bool changes_sign = is_mirrored && numerator(order) % 2 != 0;
     return result && changes_sign ? negated(*result) : result;
+  }
+  /// pi/2 - Si(x), 1/2 - S(x) and C(x) - 1/2 are P cos + Q sin and P sin - Q cos, for x > 0 (DLMF
+  /// 6.2.10, 6.2.11, 7.2.7 to 7.2.9): of Fresnel's integrals by that of t^(-1/2) e^(i t) from
+  /// t = pi x^2/2 on, over sqrt(2 pi).
+  [[nodiscard]] std::optional<wave> odd_integral(const std::string& name, wave x) {
+    const bool is_negative = has_minus(x);
+    if (is_negative) x = negated(x);
+    const bool is_fresnel = name != "Si";
+    std::optional<power_sum> limit = power_sum{{rational(0), coefficient{rational(1, 2)}}};
+    if (!is_fresnel) limit->begin()->second.factor = pi();
+    std::optional<wave> tail;
+    if (is_fresnel) {
+      const auto& [e, slope] = *x.powers->rbegin();
+      if (e <= 0 || x.powers->size() != 1) return std::nullopt;
+      positive_.push_back(value(slope));
+      const power_sum phase{
+          {rational(2 * e), times(coefficient{rational(1, 2), pi()}, times(slope, slope))}};
+      tail =
+          oscillating({integrals, rational(1, 2)}, steady(value(phase), phase), name == "fresnelS");
+      if (tail) tail = times(*tail, steady(1 / sqrt(2 * pi().value)));
+    } else {
+      tail = oscillating({integrals, 0}, x, true);
+    }
+    if (!tail) return std::nullopt;
+    if (name != "fresnelC") tail = negated(*tail);
+    const std::optional<wave> result = sum(steady(value(*limit), limit), *tail);
+    return result && is_negative ? negated(*result) : result;
   }
   /// With t = (2/3) z^(3/2), z > 0 (DLMF 9.6.6 to 9.6.9):
   ///   Ai(-z) = sqrt(z)/3 (J_(1/3) + J_(-1/3))(t),    Bi(-z) = sqrt(z/3) (J_(-1/3) - J_(1/3))(t),
@@ -513,7 +559,8 @@ class separation {
   std::optional<rational> growth_;
   std::map<std::string, symbol> constants_;
   std::vector<std::function<possibly_exact_constant(precision)>> numbers_;
-  std::vector<bessel_amplitudes> amplitudes_;
+  std::vector<function_amplitudes> amplitudes_;
+  std::vector<symbol> positive_;
 };
 
 }  // namespace

@@ -16,6 +16,7 @@
 
 #include "polhode/arithmetic/end_point.hpp"
 #include "polhode/expression/symbol.hpp"
+#include "polhode/expression/wave_amplitudes.hpp"
 #include "quadrature/formula/formula_graph.hpp"
 
 namespace polhode::detail::oscillations {
@@ -34,11 +35,11 @@ constexpr std::size_t variable_y = 0;
 constexpr std::size_t variable_unit = 1;  // i
 constexpr std::size_t first_number = 2;
 
-/// Two variables are the amplitudes P and Q of hankel_amplitudes.hpp, of this order and at slope y
-/// + shift, which are constants.
-struct bessel_amplitudes {
+/// Two variables are the amplitudes P and Q of wave_amplitudes.hpp, of this function at slope y +
+/// shift, which are constants.
+struct function_amplitudes {
   std::size_t variable;  // P; the next one is Q
-  rational order;
+  wave_function of;
   symbol slope;
   symbol shift;
 };
@@ -55,7 +56,9 @@ struct separated {
   /// The values of the variables from first_number on, by the precision; empty functions for those
   /// of `amplitudes`.
   std::vector<std::function<possibly_exact_constant(precision)>> numbers;
-  std::vector<bessel_amplitudes> amplitudes;
+  std::vector<function_amplitudes> amplitudes;
+  /// Constants that must be positive.
+  std::vector<symbol> positive;
 };
 
 /// f between x = at + s and `at`, or an infinity, as a function of y with x = at + s y^theta. The
