@@ -255,14 +255,24 @@ bool is_of_sympy(py::handle f) {
   return py::str(py::type::of(f).attr("__module__")).cast<std::string>().starts_with("sympy");
 }
 
+/// Of a text in x the name may be another one, if it is the only one.
+std::vector<std::string> names_for(const std::string& text,
+                                   const std::vector<std::string>& variables) {
+  const bool is_usual = variables == std::vector<std::string>{"x"};
+  return is_usual ? std::vector{variable_of(text)} : variables;
+}
+expression of_text(const std::string& text, const std::vector<std::string>& variables) {
+  return parse(text, names_for(text, variables));
+}
+
 }  // namespace
 
 expression formula_from(py::handle f, const std::vector<std::string>& variables) {
   if (py::isinstance<expression>(f)) return f.cast<expression>();
-  if (py::isinstance<py::str>(f)) return parse(f.cast<std::string>(), variables);
+  if (py::isinstance<py::str>(f)) return of_text(f.cast<std::string>(), variables);
   if (const auto s = symbol_from(f)) return formula_of(*s, variables);
   if (is_of_sympy(f)) {
-    return parse(from_sympy(py::reinterpret_borrow<py::object>(f)), variables);
+    return of_text(from_sympy(py::reinterpret_borrow<py::object>(f)), variables);
   }
   if (PyCallable_Check(f.ptr()) == 0) {
     throw wrong_type(
@@ -309,7 +319,8 @@ end_point end_from(py::handle x) {
 
 expression equation_from(py::handle f, const std::vector<std::string>& variables) {
   if (!py::isinstance<py::str>(f)) return formula_from(f, variables);
-  return parse_equation(f.cast<std::string>(), variables);
+  const auto text = f.cast<std::string>();
+  return parse_equation(text, names_for(text, variables));
 }
 
 void declare_formulas(py::module_& m) {

@@ -269,9 +269,10 @@ py::class_<Answer> with_account(py::class_<Answer> answer) {
 
 expression complex_formula_from(py::handle f) {
   if (py::isinstance<py::str>(f)) {
-    const expression with_unit = equation_from(f, {"z", "i"});
+    const std::string name = variable_of(f.cast<std::string>());
+    const expression with_unit = equation_from(f, {name, "i"});
     const std::vector<std::string> used = with_unit.used_variables();
-    return std::ranges::find(used, "i") == used.end() ? equation_from(f, {"z"}) : with_unit;
+    return std::ranges::find(used, "i") == used.end() ? equation_from(f, {name}) : with_unit;
   }
   // Of a function of two arguments the second one is the imaginary unit.
   if (PyCallable_Check(f.ptr()) != 0 && !py::isinstance<expression>(f)) {

@@ -68,6 +68,14 @@ def test_sympy_expressions_are_read():
     assert found.value.overlaps(ball(F(1, 2)))
 
 
+def test_the_only_name_is_the_variable():
+    assert polhode.integrate("t^2", 0, 3).value.mid == 9
+    assert len(polhode.roots("cos(t) = t", 0, 2, digits=10)) == 1
+    assert len(polhode.complex_roots("exp(x) - x", ((-5, -5), (5, 5)), 10)) == 2
+    with pytest.raises(ValueError, match="there is no"):
+        polhode.integrate("k*t", 0, 1)
+
+
 def test_complex_roots():
     found = polhode.complex_roots("exp(z) - z", ((-5, -5), (5, 5)), 20)
     assert found and found.certified and len(found) == 2

@@ -11,20 +11,36 @@
 namespace polhode {
 namespace {
 
+using text_place = std::string_view::const_iterator;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Behind the number that starts there: digits, a point, an exponent.
+text_place end_of_number(text_place at, text_place end) {
+  const auto digits = [&](text_place from) { return std::find_if_not(from, end, is_digit); };
+  at = digits(at);
+  if (at != end && *at == '.') at = digits(at + 1);
+  if (at == end || (*at != 'e' && *at != 'E')) return at;
+  auto exponent = at + 1;
+  if (exponent != end && (*exponent == '+' || *exponent == '-')) ++exponent;
+  return exponent != end && is_digit(*exponent) ? digits(exponent) : at;
+}
+
 /// The names in a formula, those of functions and constants too.
-std::set<std::string> names_in(const std::string& text) {
+std::set<std::string> names_in(std::string_view text) {
   std::set<std::string> names;
   const auto is_letter = [](char c) { return is_identifier({&c, 1}); };
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   for (auto at = text.begin(); at != text.end();) {
-    if (!is_letter(*at)) {
+    if (is_digit(*at)) {
+      at = end_of_number(at, text.end());
+    } else if (!is_letter(*at)) {
       ++at;
-      continue;
+    } else {
+      const auto end =
+          std::find_if(at, text.end(), [&](char c) { return !is_letter(c) && !is_digit(c); });
+      names.emplace(at, end);
+      at = end;
     }
-    const auto end =
-        std::find_if(at, text.end(), [&](char c) { return !is_letter(c) && !is_digit(c); });
-    names.emplace(at, end);
-    at = end;
   }
   return names;
 }
@@ -75,6 +91,19 @@ expression parse_equation(std::string_view text, const std::vector<std::string>&
     (void)parse(side, variables, definitions);
   }
   return parse(fmt::format("({})-({})", left, right), variables, definitions);
+}
+
+std::string variable_of(std::string_view text, const std::vector<formula_definition>& definitions) {
+  std::set<std::string> names = names_in(text);
+  const std::string usual = "x";
+  if (names.contains(usual)) return usual;
+  for (const expression_function& f : expression_functions()) names.erase(f.name);
+  for (const expression_constant& c : expression_constants()) names.erase(c.name);
+  for (const expression_alias& a : expression_aliases()) names.erase(a.name);
+  for (const further_function& f : *library_functions()) names.erase(f.what.name);
+  for (const formula_definition& d : definitions) names.erase(d.first);
+  names.erase("i");
+  return names.size() == 1 ? *names.begin() : usual;
 }
 
 }  // namespace polhode

@@ -109,7 +109,7 @@ TEST(Integrate, BadInputIsOneLineThatSaysWhatWouldBeRight) {
     EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
     EXPECT_EQ(result.err.find('\n'), result.err.size() - 1) << result.err;
   };
-  expect_refusal(integrate("y", "0", "1"), "column 1: there is no \"y\"");
+  expect_refusal(integrate("y*z", "0", "1"), "column 1: there is no \"y\"");
   expect_refusal(integrate("x +", "0", "1"), "column 4");
   expect_refusal(integrate("x", "zero", "1"), "there is no \"zero\"");
   expect_refusal(integrate("x", "nan", "1"), "nan");

@@ -130,6 +130,9 @@ TEST(Roots, TheInterval) {
   EXPECT_EQ(roots("x-2", "1...2.5").status, 0);  // 1. to 2.5, or 1 to .2.5, which is none
   EXPECT_EQ(roots("-x+1/2", "0..1").out.rfind("1/2 exactly", 0), 0U);
   EXPECT_EQ(roots("t-1", "-5..5", {"--variable", "t"}).out.rfind("1 exactly", 0), 0U);
+  EXPECT_EQ(roots("t = 1", "-5..5").out.rfind("1 exactly", 0), 0U);
+  EXPECT_EQ(roots("k*t = 1", "-5..5", {"--let", "k=1"}).out.rfind("1 exactly", 0), 0U);
+  EXPECT_NE(roots("k*t = 1", "-5..5").err.find("there is no \"k\""), std::string::npos);
 }
 
 TEST(Roots, BadInputIsOneLineThatSaysWhatWouldBeRight) {
@@ -141,7 +144,7 @@ TEST(Roots, BadInputIsOneLineThatSaysWhatWouldBeRight) {
   };
   expect_refusal(roots("x", "1..0"), "the wrong way round");
   expect_refusal(roots("x", "inf..0"), "the wrong way round");
-  expect_refusal(roots("y", "0..1"), "column 1: there is no \"y\"");
+  expect_refusal(roots("y*z", "0..1"), "column 1: there is no \"y\"");
   expect_refusal(roots("x", "0..k"), "there is no \"k\"");
   expect_refusal(roots("x", "0"), "LO..HI");
   expect_refusal(roots("x", "0.."), "--in \"0..\"");

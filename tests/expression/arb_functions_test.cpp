@@ -431,6 +431,32 @@ TEST_F(ArbFunctions, ThePolylogarithmAtOneNeedsAnOrderAboveOne) {
   EXPECT_FALSE(parse("polylog(0, x)", {"x"})(ball(2, 128)).is_bounded());
 }
 
+/// In the critical strip, where the bound of its second derivative counts.
+TEST_F(ArbFunctions, ZetaOverSetsHoldsItsValuesAtPoints) {
+  const precision p = 128;
+  const auto zeta_at = [&](const ball& re, const ball& im) {
+    return named("zeta").over_complex(std::array{complex_ball(re, im)});
+  };
+  for (support::repeat trial(150); trial.again();) {
+    const rational re = between(-1, 3) / 3;
+    const rational im = between(1, 40) * (random.one_in(2) ? 1 : -1);
+    const rational half = between(1, 2) / (1L << random.between(1, 8));
+    const auto side = [&](const rational& x) {
+      return from_end_points(rational(x - half), rational(x + half), p);
+    };
+    const complex_ball over = zeta_at(side(re), side(im));
+    for (int k = -8; k <= 8; ++k) {
+      for (int l = -8; l <= 8; l += 16) {
+        const complex_ball at = random.one_in(2) ? zeta_at(ball(rational(re + half * k / 8), p),
+                                                           ball(rational(im + half * l / 8), p))
+                                                 : zeta_at(ball(rational(re + half * l / 8), p),
+                                                           ball(rational(im + half * k / 8), p));
+        EXPECT_TRUE(overlaps(over, at)) << re << " + i " << im << " +- " << half;
+      }
+    }
+  }
+}
+
 /// J of an order that may be whole has values for x < 0.
 TEST_F(ArbFunctions, AnOrderThatMayBeWholeIsNotExcludedLeftOfZero) {
   const auto& near_zero = named("besselJ").near_zero;

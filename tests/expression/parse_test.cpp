@@ -54,6 +54,21 @@ TEST(Parse, WhatCannotBeReadSaysWhere) {
   EXPECT_THROW((void)parse("1", {"sin"}), input_error);
 }
 
+TEST(Parse, TheOnlyNameIsTheVariable) {
+  EXPECT_EQ(variable_of("x*t"), "x");
+  EXPECT_EQ(variable_of("exp(z)-z"), "z");
+  EXPECT_EQ(variable_of("theta^2 = cos(theta)"), "theta");
+  EXPECT_EQ(variable_of("2*pi*t + e^t - besselJ(0, t)"), "t");
+  EXPECT_EQ(variable_of("i*z + arctan(z)"), "z");
+  EXPECT_EQ(variable_of("1e5*t + 2.5E-3*t + 1.e2"), "t");
+  EXPECT_EQ(variable_of("k*t", {{"k", "2"}}), "t");
+  // Of several, or none.
+  EXPECT_EQ(variable_of("k*t"), "x");
+  EXPECT_EQ(variable_of("1e5"), "x");
+  EXPECT_EQ(variable_of("2*pi"), "x");
+  EXPECT_EQ(variable_of(""), "x");
+}
+
 TEST(Parse, AnEquationIsTheDifferenceOfItsSides) {
   const ball two(2, 64);
   EXPECT_TRUE(contains(parse_equation("x^2 = 3*x-1")(two), -1));

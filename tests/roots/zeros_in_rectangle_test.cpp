@@ -8,6 +8,7 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/expression/library_functions.hpp"
 #include "polhode/expression/parse.hpp"
 #include "polhode/roots/complex_roots.hpp"
 #include "polhode/roots/zeros_in_rectangle.hpp"
@@ -176,6 +177,14 @@ TEST(ZerosInRectangle, OfSpecialFunctions) {
       count += hold(z.enclosure, number) ? 1 : 0;
     }
     EXPECT_EQ(count, 1);
+  }
+  if (!arb_functions()->empty()) {
+    const complex_rectangle strip{rational(2, 5), rational(3, 5), 14, rational(43, 2)};
+    const zeros_answer of_zeta = zeros_of("zeta(z)", strip, 20);
+    EXPECT_TRUE(of_zeta.is_complete());
+    ASSERT_EQ(of_zeta.zeros.size(), 2U);
+    EXPECT_TRUE(hold(of_zeta.zeros[0].enclosure, near("0.5", "14.13472514")));
+    EXPECT_TRUE(hold(of_zeta.zeros[1].enclosure, near("0.5", "21.02203964")));
   }
   const zeros_answer of_gamma = zeros_of("gamma(z)-6", {rational(1, 8), 5, -3, 3}, 40);
   EXPECT_TRUE(of_gamma.is_complete());

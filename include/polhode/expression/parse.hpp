@@ -36,4 +36,9 @@ using formula_definition = std::pair<std::string, std::string>;
                                         const std::vector<std::string>& variables = {"x"},
                                         const std::vector<formula_definition>& definitions = {});
 
+/// The name of the variable of a formula, or of an equation: x; or the only name in it that is none
+/// of a function, a constant, i or a definition, where x is not in it.
+[[nodiscard]] std::string variable_of(std::string_view text,
+                                      const std::vector<formula_definition>& definitions = {});
+
 }  // namespace polhode

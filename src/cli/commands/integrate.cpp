@@ -51,7 +51,7 @@ struct integrate_command_options {
   std::optional<std::string> along;
   std::optional<std::string> circle;
   count_option boxes{"--boxes", 1, 1, greatest_boxes};
-  std::string variable = "x";
+  std::string variable;
   let_option let;
   digits_option digits;
   count_option threads{"--threads", 1, 0, most_threads};
@@ -506,7 +506,7 @@ exit_status integrate_along_path(const integrate_command_options& options) {
 }
 
 exit_status run(integrate_command_options& options) {
-  check_variable(options.variable);
+  options.variable = variable_or_only_name(options.variable, options.formula, options.let);
   read_range(options);
   (void)options.boxes.value();
   (void)options.threads.value();
@@ -544,7 +544,8 @@ std::function<exit_status()> declare(CLI::App& app) {
   add_option(app, "--circle", options->circle,
              "In place of limits, a circle, once around and counterclockwise")
       .type_name("\"CENTRE, RADIUS\"");
-  add_option(app, "--variable", options->variable, "The variable's name, if it is not x")
+  add_option(app, "--variable", options->variable,
+             "The variable's name, if it is neither x nor the formula's only name")
       .type_name("NAME");
   add_option(app, "--rule", options->rule, rules_in_words()).type_name("NAME");
   options->threads.declare(
@@ -572,7 +573,7 @@ command integrate_command() {
       "  polhode integrate \"2 sin(x)^2\" --in 0..pi\n"
       "  polhode integrate \"1/(x^2 + k^2)\" --from 0 --to pi/2 --let k=1e-10\n"
       "  polhode integrate \"1/sqrt(1-m*sin(x)^2)\" --from 0 --to pi/2 --let \"m=[0.1, 0.2]\"\n"
-      "  polhode integrate \"exp(z)/z^3\" --variable z --circle \"0, 1\"\n"
+      "  polhode integrate \"exp(z)/z^3\" --circle \"0, 1\"\n"
       "  polhode integrate \"sqrt(x)\" --along \"1, 1+i, -1+i\"\n"
       "  polhode integrate \"4/(1+x^2)\" --from 0 --to 1 --certificate pi.json && polhode check "
       "pi.json\n"

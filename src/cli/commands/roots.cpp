@@ -446,9 +446,11 @@ exit_status run(roots_options& options) {
   const long digits = options.digits.value();
   const std::string format = options.format.value();
   options.verify.expect_format(format);
+  const bool is_system = !options.rectangle && !options.complex && options.is_system();
+  if (is_system) return run_system(options);
+  options.variable = variable_or_only_name(options.variable, options.formula, options.let);
   if (options.rectangle) return run_roots_in_rectangle(options);
   if (options.complex) return run_complex_roots(options);
-  if (options.is_system()) return run_system(options);
   if (!options.more_formulas.empty()) {
     throw usage_error(
         fmt::format("{} was not expected; of a system, give an interval for each variable, --in "
@@ -456,7 +458,6 @@ exit_status run(roots_options& options) {
                     in_quotes(options.more_formulas.front())));
   }
   const int threads = static_cast<int>(options.threads.value());
-  check_variable(options.variable);
   const given_range range = read_range(options);
   const expression f = read_equation(options.formula, {options.variable}, options.let);
   check_memory(options, 3 * static_cast<double>(f.live_numbers()) + 300);
@@ -498,7 +499,8 @@ std::function<exit_status()> declare(CLI::App& app) {
   add_option(app, "--rectangle", options->rectangle,
              "All complex roots of an analytic function between two corners")
       .type_name("LL..UR");
-  add_option(app, "--variable", options->variable, "The variable's name, if it is not x")
+  add_option(app, "--variable", options->variable,
+             "The variable's name, if it is neither x nor the formula's only name")
       .type_name("NAME");
   options->threads.declare(
       app, "Search on so many threads; 0 for all processors. The digits are\nthe same");
@@ -550,7 +552,7 @@ command roots_command() {
       "root.json\n"
       "  polhode roots \"sin(x^2)*(x^3-2)\" --in -5..5 --verify\n"
       "  polhode roots \"x^5-x-1\" --complex --digits 30\n"
-      "  polhode roots \"exp(z)-z\" --variable z --rectangle -5-10i..5+10i\n"
+      "  polhode roots \"exp(z)-z\" --rectangle -5-10i..5+10i\n"
       "  polhode roots \"x^2+y^2-1\" \"x-y^3\" --in x=-2..2 --in y=-2..2\n"
       "  polhode roots \"exp(x)=y\" \"x*y=1\" --in x=-inf..inf --in y=0..inf\n\n"
       "Every root in the interval is in the list. Its verdict says what is proved of it:\n"

@@ -156,7 +156,6 @@ std::string as_text(const zeros_answer& a, const std::string& where, long digits
 
 exit_status run_complex_roots(const roots_options& options) {
   using namespace complex_roots_impl;
-  check_variable(options.variable);
   const expression f = read_equation(options.formula, {options.variable}, options.let);
   const long digits = options.digits.value();
   if (options.range.ways() != 0) {
@@ -199,7 +198,6 @@ exit_status run_complex_roots(const roots_options& options) {
 
 exit_status run_roots_in_rectangle(const roots_options& options) {
   using namespace complex_roots_impl;
-  check_variable(options.variable);
   if (options.complex || options.range.ways() != 0) {
     throw usage_error("--rectangle: it says where; leave --complex and the interval out");
   }

@@ -24,7 +24,7 @@ struct roots_options {
   std::vector<std::string> more_formulas;  // of a system, behind the places of the two limits
   range_option range;
   std::string interval;  // as LO..HI
-  std::string variable = "x";
+  std::string variable;
   let_option let;
   digits_option digits;
   count_option threads{"--threads", 1, 0, most_threads};

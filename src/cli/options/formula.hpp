@@ -32,6 +32,11 @@ struct let_option {
 /// or a constant.
 void check_variable(const std::string& name);
 
+/// The name given with --variable, or the one that the formula has (variable_of). Throws
+/// usage_error as check_variable does.
+[[nodiscard]] std::string variable_or_only_name(const std::string& given,
+                                                const std::string& formula, const let_option& let);
+
 /// The texts between the commas that are in no parentheses.
 [[nodiscard]] std::vector<std::string> parts_between_commas(const std::string& text);
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
@@ -155,25 +156,74 @@ obstacle pole_of_zeta(const call& x) {
 leading zeta_at_infinity(const ball*, int sign) {
   return sign > 0 ? leading_term("1+2^(-s)", "2*3^(-s)") : std::nullopt;
 }
+/// zeta and its derivative at z; or zeta - 1/(z - 1) and its derivative, which are analytic at 1.
+jet<complex_ball, 1> zeta_and_slope(const complex_ball& z, precision p, bool without_pole) {
+  const arb_number at{z};
+  detail::arb_jet jet;
+  arb().acb_dirichlet_zeta_jet(jet.get(), at.get(), without_pole ? 1 : 0, 2, p + 32);
+  polhode::jet<complex_ball, 1> result;
+  result[0] = jet.value(p);
+  result[1] = jet.derivative(p);
+  return result;
+}
+jet<ball, 1> zeta_and_slope(const ball& x, bool without_pole) {
+  const auto complex = zeta_and_slope(complex_ball(x), x.precision(), without_pole);
+  polhode::jet<ball, 1> result;
+  result[0] = complex[0].re;
+  result[1] = complex[1].re;
+  return result;
+}
+
+/// A bound of |zeta''| where Re s >= least, |s| <= size, |s - 1| >= distance; undefined where none
+/// is known. For Re s = x > -1 (DLMF 25.2.8, integrated by parts, with |B_2({t})| <= 1/6) zeta(s)
+/// is the sum of the n^-s over n <= N and R(s), where
+///   |R| <= N^(1-x)/|s - 1| + N^-x/2 + |s| N^(-x-1)/12 + |s| |s + 1| N^(-x-1)/(12 (x + 1)).
+/// The terms have the second derivatives log(n)^2 n^-s, and |R''| <= 2 sup |R|/rho^2 over the disc
+/// of radius rho around s.
+ball curvature_of_zeta(const ball& least, const ball& size, const ball& distance) {
+  constexpr long most_terms = 64;
+  const ball one(1, few_bits);
+  const ball rho = min(one, distance) / 2;
+  const ball x = least - rho;
+  const ball none = ball::undefined(few_bits);
+  if (!certainly_less(-one, x) || !certainly_positive(rho) || !size.is_bounded()) return none;
+  if (!certainly_less(size, ball(1L << 40, few_bits))) return none;
+  const auto terms = static_cast<long>(ceil_of(upper_rational(size))) + 1;
+  const ball n(terms, few_bits);
+  ball sum(0, few_bits);
+  if (terms <= most_terms) {
+    for (long k = 2; k <= terms; ++k) {
+      const ball logarithm = log(ball(k, few_bits));
+      sum += square(logarithm) * exp(-(least * logarithm));
+    }
+  } else {  // n^-x <= 1 for x >= 0, and <= N^-x else
+    sum = n * square(log(n)) * max(one, exp(-(least * log(n))));
+  }
+  const ball far = size + rho;
+  const ball power = exp(-(x * log(n)));
+  const ball rest = n * power / (distance - rho) + power / 2 + far * power / (12 * n) +
+                    far * (far + 1) * power / (12 * n * (x + 1));
+  return sum + 2 * rest / square(rho);
+}
+
 bounds bounds_of_zeta(const call& x) {
   const ball least = least_of(x.z.re);
-  if (!certainly_positive(least)) return {};
   const ball z = upper_of(x.z.magnitude_upper());
-  const ball distance = abs(x.z - 1).with_precision(few_bits);
+  const ball distance = least_of(abs(x.z - 1));
+  bounds result;
   const ball size = z / distance + z / least;
-  const ball slope = 1 / square(distance) + 1 / least + z / square(least);
-  if (!slope.is_bounded()) return {};
-  return {size.magnitude_upper(), slope.magnitude_upper()};
-}
-/// zeta and its derivative at x; or zeta - 1/(x - 1) and its derivative, which are analytic at 1.
-jet<ball, 1> zeta_and_slope(const ball& x, bool without_pole) {
-  const arb_number at{complex_ball(x)};
-  detail::arb_jet jet;
-  const precision p = x.precision();
-  arb().acb_dirichlet_zeta_jet(jet.get(), at.get(), without_pole ? 1 : 0, 2, p + 32);
-  polhode::jet<ball, 1> result;
-  result[0] = jet.value(p).re;
-  result[1] = jet.derivative(p).re;
+  if (certainly_positive(least) && size.is_bounded()) {
+    const ball most = 1 / square(distance) + 1 / least + z / square(least);
+    result = {size.magnitude_upper(), most.magnitude_upper()};
+  }
+  const ball curvature = curvature_of_zeta(least, z, distance);
+  if (!curvature.is_bounded()) return result;
+  const complex_ball slope = zeta_and_slope(x.z.middle(), few_bits, false)[1];
+  const magnitude change =
+      multiply_up(add_up(x.z.re.radius(), x.z.im.radius()), curvature.magnitude_upper());
+  if (slope.is_bounded()) {
+    result.slope = std::min(result.slope, add_up(slope.magnitude_upper(), change));
+  }
   return result;
 }
 /// zeta' over a set of real numbers.
