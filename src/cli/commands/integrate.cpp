@@ -51,7 +51,8 @@ struct integrate_command_options {
   std::optional<std::string> along;
   std::optional<std::string> circle;
   count_option boxes{"--boxes", 1, 1, greatest_boxes};
-  std::string variable;
+  std::optional<std::string> given_variable;
+  std::string variable;  // that of the formula
   let_option let;
   digits_option digits;
   count_option threads{"--threads", 1, 0, most_threads};
@@ -506,7 +507,7 @@ exit_status integrate_along_path(const integrate_command_options& options) {
 }
 
 exit_status run(integrate_command_options& options) {
-  options.variable = variable_or_only_name(options.variable, options.formula, options.let);
+  options.variable = variable_or_only_name(options.given_variable, options.formula, options.let);
   read_range(options);
   (void)options.boxes.value();
   (void)options.threads.value();
@@ -544,7 +545,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   add_option(app, "--circle", options->circle,
              "In place of limits, a circle, once around and counterclockwise")
       .type_name("\"CENTRE, RADIUS\"");
-  add_option(app, "--variable", options->variable,
+  add_option(app, "--variable", options->given_variable,
              "The variable's name, if it is neither x nor the formula's only name")
       .type_name("NAME");
   add_option(app, "--rule", options->rule, rules_in_words()).type_name("NAME");

@@ -448,7 +448,7 @@ exit_status run(roots_options& options) {
   options.verify.expect_format(format);
   const bool is_system = !options.rectangle && !options.complex && options.is_system();
   if (is_system) return run_system(options);
-  options.variable = variable_or_only_name(options.variable, options.formula, options.let);
+  options.variable = variable_or_only_name(options.given_variable, options.formula, options.let);
   if (options.rectangle) return run_roots_in_rectangle(options);
   if (options.complex) return run_complex_roots(options);
   if (!options.more_formulas.empty()) {
@@ -499,7 +499,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   add_option(app, "--rectangle", options->rectangle,
              "All complex roots of an analytic function between two corners")
       .type_name("LL..UR");
-  add_option(app, "--variable", options->variable,
+  add_option(app, "--variable", options->given_variable,
              "The variable's name, if it is neither x nor the formula's only name")
       .type_name("NAME");
   options->threads.declare(

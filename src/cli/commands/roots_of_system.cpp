@@ -225,7 +225,7 @@ exit_status run_system(const roots_options& options) {
     throw usage_error("--from and --to: of a system, give --in NAME=LO..HI for each variable");
   }
   refuse_options_of_interval(options, "the roots of a system");
-  if (!options.variable.empty()) {
+  if (options.given_variable) {
     throw usage_error("--variable: of a system, the names are those of --in NAME=LO..HI");
   }
   const long digits = options.digits.value();

@@ -24,7 +24,8 @@ struct roots_options {
   std::vector<std::string> more_formulas;  // of a system, behind the places of the two limits
   range_option range;
   std::string interval;  // as LO..HI
-  std::string variable;
+  std::optional<std::string> given_variable;
+  std::string variable;  // that of the formula
   let_option let;
   digits_option digits;
   count_option threads{"--threads", 1, 0, most_threads};

@@ -44,11 +44,11 @@ void check_variable(const std::string& name) {
   }
 }
 
-std::string variable_or_only_name(const std::string& given, const std::string& formula,
-                                  const let_option& let) {
-  if (given.empty()) return variable_of(formula, let.value());
-  check_variable(given);
-  return given;
+std::string variable_or_only_name(const std::optional<std::string>& given,
+                                  const std::string& formula, const let_option& let) {
+  if (!given) return variable_of(formula, let.value());
+  check_variable(*given);
+  return *given;
 }
 
 std::vector<std::pair<std::string, std::string>> let_option::value() const {

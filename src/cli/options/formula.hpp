@@ -2,6 +2,7 @@
 
 // Formulas given on the command line, with the names that --let defines.
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,7 +35,7 @@ void check_variable(const std::string& name);
 
 /// The name given with --variable, or the one that the formula has (variable_of). Throws
 /// usage_error as check_variable does.
-[[nodiscard]] std::string variable_or_only_name(const std::string& given,
+[[nodiscard]] std::string variable_or_only_name(const std::optional<std::string>& given,
                                                 const std::string& formula, const let_option& let);
 
 /// The texts between the commas that are in no parentheses.

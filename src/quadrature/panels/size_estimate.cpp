@@ -28,7 +28,7 @@ double log2_of_samples(const segment& s, double log2_scale) {
   const auto sample = [&](const ball& t, double log2_length) {
     complex_ball value = f(t);
     // Of what cannot be told from 0 the size is that of rounding errors.
-    for (precision p = 256; p <= 4096 && contains_zero(value); p *= 2) {
+    for (precision p = 256; p <= 4096 && contains_zero(value) && !value.is_exact(); p *= 2) {
       value = evaluator_of(s, p)(t.with_precision(p));
     }
     if (!value.is_bounded()) return;
