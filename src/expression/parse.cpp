@@ -95,7 +95,7 @@ expression parse_equation(std::string_view text, const std::vector<std::string>&
 
 std::string variable_of(std::string_view text, const std::vector<formula_definition>& definitions) {
   std::set<std::string> names = names_in(text);
-  const std::string usual = "x";
+  std::string usual = "x";
   if (names.contains(usual)) return usual;
   for (const expression_function& f : expression_functions()) names.erase(f.name);
   for (const expression_constant& c : expression_constants()) names.erase(c.name);

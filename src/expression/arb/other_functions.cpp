@@ -185,7 +185,7 @@ ball curvature_of_zeta(const ball& least, const ball& size, const ball& distance
   const ball one(1, few_bits);
   const ball rho = min(one, distance) / 2;
   const ball x = least - rho;
-  const ball none = ball::undefined(few_bits);
+  ball none = ball::undefined(few_bits);
   if (!certainly_less(-one, x) || !certainly_positive(rho) || !size.is_bounded()) return none;
   if (!certainly_less(size, ball(1L << 40, few_bits))) return none;
   const auto terms = static_cast<long>(ceil_of(upper_rational(size))) + 1;
