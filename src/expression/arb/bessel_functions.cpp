@@ -75,9 +75,9 @@ std::optional<ball> integral_of_tail(const ball& order, const ball& x) {
 ///   pi Y = integral of sin(z sin t - order t) over 0 < t < pi
 ///          - that of (e^(order t) + e^(-order t) cos(pi order)) e^(-z sinh t) over t > 0.
 /// The first ones, and their derivatives in z, are at most the integral of cosh(|Im z| sin t),
-/// which is pi I_0(|Im z|). In the others |e^(-+ order
-/// t)| <= e^(m t) <= (1 + 2 s)^m with s = sinh t and m >= |order|, and dt = ds/sqrt(1 + s^2); a
-/// derivative in z has a factor s more, and s/sqrt(1 + s^2) <= 1. So both are at most the integral
+/// which is pi I_0(|Im z|). In the others |e^(-+ order t)| <= e^(m t) <= (1 + 2 s)^m with
+/// s = sinh t and m >= |order|, and dt = ds/sqrt(1 + s^2); a derivative in z has a factor s more,
+/// and s/sqrt(1 + s^2) <= 1. So both are at most the integral
 /// above with x = the least Re z; of Y twice that.
 bounds bounds_by_schlaefli(const call& x, long tails) {
   const auto tail = integral_of_tail(*x.order, least_of(x.z.re));
@@ -153,7 +153,7 @@ bounds bounds_of_i(const call& x) {
 /// and even in nu.
 bool is_i_monotonic(const ball* order, const ball& x) {
   return (is_whole(*order) || certainly_less_equal(ball(0, few_bits), *order)) &&
-         (certainly_positive(x) || certainly_negative(x));
+         where_not_zero(order, x);
 }
 
 /// integral_of_tail as a formula in x.

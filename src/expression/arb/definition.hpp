@@ -139,6 +139,10 @@ template <class F>
   return certainly_positive(x);
 }
 
+[[nodiscard]] inline bool where_not_zero(const ball*, const ball& x) {
+  return certainly_positive(x) || certainly_negative(x);
+}
+
 [[nodiscard]] inline bool not_positive(const ball*, const ball& x) {
   return certainly_less_equal(x, ball(0, few_bits));
 }

@@ -50,9 +50,6 @@ obstacle around_zero(const call& x) {
   return certainly_positive(x.z.re) || certainly_negative(x.z.re) ? obstacle::none
                                                                   : obstacle::branch_cut;
 }
-bool where_not_zero(const ball*, const ball& x) {
-  return certainly_positive(x) || certainly_negative(x);
-}
 /// |e^z/z|.
 bounds bounds_of_ei(const call& x) {
   return {magnitude::infinity(),
