@@ -352,12 +352,14 @@ TEST_F(ArbFunctions, LieBesideTheirLeadingTermsAtInfinity) {
 TEST_F(ArbFunctions, HaveNaturalRangesThatHoldTheirValuesWhereTheyAreDefined) {
   const precision p = 128;
   int functions = 0;
+  long trials = 0;
   long crossing = 0;
   for (const further_function& f : *library_functions()) {
     if (!f.natural_range) continue;
     SCOPED_TRACE(f.what.name);
     ++functions;
     for (support::repeat trial(80); trial.again();) {
+      ++trials;
       const rational edge = random.one_in(2) ? rational(random.between(0, 1)) : rational(-3, 8);
       const rational half = scattered(2) / (1L << random.between(0, 12));
       const rational middle = edge + half * between(-1, 1);
@@ -381,7 +383,7 @@ TEST_F(ArbFunctions, HaveNaturalRangesThatHoldTheirValuesWhereTheyAreDefined) {
     }
   }
   EXPECT_EQ(functions, 20);
-  EXPECT_GT(crossing, 40);
+  EXPECT_GT(50 * crossing, trials);
 }
 
 TEST_F(ArbFunctions, IncompleteGammaFunctionsGoOnToZero) {
