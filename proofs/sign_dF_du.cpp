@@ -39,7 +39,7 @@ void add_value(certificate& c, const request& wanted) {
   const long digits = std::min(wanted.digits, most_quadrature_digits);
   const auto size = value.is_bounded() ? value.magnitude_upper().log2_floor() : 0;
   long bits = bits_for_digits(digits) + 8 - static_cast<long>(size);
-  periodic_options options;
+  trapezoid_options options;
   options.most_nodes = most_nodes;
   periodic_integral q = integrate_periodic(half_phase_slope_integrand(motion), bits, options);
   // A little more where an end of the enclosure is on the other side of a digit's.

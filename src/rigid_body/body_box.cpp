@@ -151,11 +151,8 @@ ball body_box::twist(const rational_range& c, long digits) const {
     const ball least_phase = phase_of(greatest_, c.low, p);
     if (!certainly_less(4 * pi(p), least_phase)) return ball::undefined(64);
   }
-  const auto value = [digits](const body& rigid, const rational& at) {
-    const polhode::twist t = twist_to_digits(rigid, at, digits, with_slope::no);
-    return certain_number{t.verdict, t.why, t.epsilon, t.work};
-  };
-  return between(value(least_, c.low), value(greatest_, c.high));
+  return between(defect_to_digits(least_, c.low, digits),
+                 defect_to_digits(greatest_, c.high, digits));
 }
 
 ball limit_defect_range(const rational_range& chi, const rational_range& beta, long digits) {

@@ -7,7 +7,6 @@
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/motion.hpp"
 #include "rigid_body/phase_integral.hpp"
-#include "rigid_body/raised_precision.hpp"
 
 namespace polhode {
 namespace {
@@ -87,24 +86,24 @@ certain_number montgomery_phase_to_digits(const motion& of, long digits) {
     ++work.integrals;
     return of.phase(p);
   };
-  certain_number result = detail::number_to_digits(phase, digits, ample_guard(digits));
+  certain_number result = number_to_digits(phase, digits, ample_guard(digits));
   result.work = work;
   return result;
 }
 
 certain_number montgomery_phase_limit_to_digits(const body& rigid, const rational& c, long digits) {
-  return detail::number_to_digits([&](precision p) { return montgomery_phase_limit(rigid, c, p); },
-                                  digits, ample_guard(digits));
+  return number_to_digits([&](precision p) { return montgomery_phase_limit(rigid, c, p); }, digits,
+                          ample_guard(digits));
 }
 
 certain_number rotation_period_to_digits(const body& rigid, const rational& c, long digits) {
-  return detail::number_to_digits([&](precision p) { return rotation_period(rigid, c, p); }, digits,
-                                  ample_guard(digits));
+  return number_to_digits([&](precision p) { return rotation_period(rigid, c, p); }, digits,
+                          ample_guard(digits));
 }
 
 certain_number dynamic_phase_to_digits(const body& rigid, const rational& c, long digits) {
-  return detail::number_to_digits([&](precision p) { return dynamic_phase(rigid, c, p); }, digits,
-                                  ample_guard(digits));
+  return number_to_digits([&](precision p) { return dynamic_phase(rigid, c, p); }, digits,
+                          ample_guard(digits));
 }
 
 certain_number geometric_phase_to_digits(const body& rigid, const rational& c, long digits) {
@@ -118,7 +117,7 @@ certain_number geometric_phase_to_digits(const motion& of, long digits) {
     work.integrals += 2;
     return geometric_phase_of(of, p);
   };
-  certain_number result = detail::number_to_digits(phase, digits, 2 * sizes + ample_guard(digits));
+  certain_number result = number_to_digits(phase, digits, 2 * sizes + ample_guard(digits));
   result.work = work;
   return result;
 }
@@ -133,7 +132,7 @@ certain_number montgomery_phase_excess_to_digits(const body& rigid, const ration
   const auto excess = [&](precision p) {
     return montgomery_phase(rigid, c, p) - montgomery_phase_limit(rigid, c, p);
   };
-  return detail::number_to_digits(excess, digits, 2 * cancelled + ample_guard(digits));
+  return number_to_digits(excess, digits, 2 * cancelled + ample_guard(digits));
 }
 
 }  // namespace polhode

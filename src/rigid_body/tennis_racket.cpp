@@ -7,7 +7,7 @@
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/half_phase.hpp"
 #include "polhode/roots/inverse.hpp"
-#include "rigid_body/raised_precision.hpp"
+#include "rigid_body/has_digits.hpp"
 
 namespace polhode {
 namespace {
@@ -38,7 +38,12 @@ bool rotates_beyond(const body& rigid, long m) {
 certain_number refuted() {
   certain_number result;
   result.why = reason::refuted;
-  result.enclosure = ball::undefined(64);
+  return result;
+}
+
+certain_number out_of_exponents() {
+  certain_number result;
+  result.why = reason::precision_limit;
   return result;
 }
 
@@ -84,7 +89,7 @@ certain_number rotating_root(const body& rigid, long m, long digits) {
   if (!rotates_beyond(rigid, m)) return refuted();
   const ball scale_of_b = log2((2 * rigid.b()).at(192));
   const auto least = exponent_below(least_log2(rigid, integer(m)) + scale_of_b);
-  if (!least) return {};
+  if (!least) return out_of_exponents();
   // F(c,0) goes on decreasing for c > a.
   const long greatest = exponent_above(rigid.a()) + 1;
   const auto phase = [&](const ball& c) { return rotating_half_phase(rigid, c); };
@@ -97,7 +102,7 @@ certain_number rotating_root(const body& rigid, long m, long digits) {
     work.newton_steps += found.evaluations_of_derivative;
     return found.verdict == root_verdict::unique ? found.root : ball::undefined(p);
   };
-  certain_number result = detail::number_to_digits(root, digits, ample_guard(digits));
+  certain_number result = number_to_digits(root, digits, ample_guard(digits));
   result.work = work;
   return result;
 }
@@ -203,8 +208,7 @@ bool is_injective(const body& rigid) { return rigid.kind() != body_kind::non_phy
 // Where it is
 
 certain_number separatrix_defect_to_digits(const body& rigid, long digits) {
-  const twist t = twist_to_digits(rigid, 0, digits, with_slope::no);
-  return {t.verdict, t.why, t.epsilon, t.work};
+  return defect_to_digits(rigid, 0, digits);
 }
 
 certain_number perfect_twist_to_digits(const body& rigid, long digits) {

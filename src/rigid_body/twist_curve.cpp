@@ -11,8 +11,8 @@
 #include "polhode/rigid_body/half_phase.hpp"
 #include "polhode/rigid_body/phase_integrands.hpp"
 #include "polhode/roots/newton.hpp"
+#include "rigid_body/has_digits.hpp"
 #include "rigid_body/quarter.hpp"
-#include "rigid_body/raised_precision.hpp"
 
 namespace polhode {
 namespace {
@@ -331,6 +331,16 @@ twist twist_to_digits(const body& rigid, const motion& of, long digits, with_slo
   return result;
 }
 
+certain_number defect_to_digits(const body& rigid, const rational& c, long digits) {
+  twist found = twist_to_digits(rigid, c, digits, with_slope::no);
+  certain_number result;
+  result.enclosure = std::move(found.epsilon);
+  result.verdict = found.verdict;
+  result.why = found.why;
+  result.work = found.work;
+  return result;
+}
+
 // ---------------------------------------------------------------------------------------------
 // The limit
 
@@ -354,8 +364,8 @@ certain_number limit_defect_to_digits(const rational& chi, const rational& beta,
   const ball size = pi(64) * sqrt(ball(chi > 0 ? chi : rational(1), 64));
   const precision lost = 2 * static_cast<precision>(static_cast<long>(
                                  lower_rational(floor(min(size, ball(1L << 24, 64))))));
-  return detail::number_to_digits([&](precision p) { return limit_defect(chi, beta, p); }, digits,
-                                  ample_guard(digits) + 2 * lost + 4 * size_in_bits(beta));
+  return number_to_digits([&](precision p) { return limit_defect(chi, beta, p); }, digits,
+                          ample_guard(digits) + 2 * lost + 4 * size_in_bits(beta));
 }
 
 }  // namespace polhode

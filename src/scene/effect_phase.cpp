@@ -177,8 +177,7 @@ effect_result montgomery_curve(const effect_context& x) {
 
 effect_result twist_curve(const effect_context& x) {
   return curve(x, "epsilon", "epsilon", [&](const rational& c) -> std::optional<certain_number> {
-    const twist t = twist_to_digits(x.rigid(), c, x.digits(), with_slope::no);
-    return certain_number{t.verdict, t.why, t.epsilon, t.work};
+    return defect_to_digits(x.rigid(), c, x.digits());
   });
 }
 

@@ -102,15 +102,6 @@ std::string route_text(const integral_account& account) {
 
 namespace {
 
-/// The sum of the integrals over pieces.
-struct sum_of_pieces {
-  ball enclosure = ball(0, 64);
-  status verdict = status::certified;
-  reason why = reason::none;
-  std::string obstacle;
-  integral_account account;
-};
-
 std::string work_text(const integral_account& a) {
   std::string result;
   const auto append = [&](const std::string& part) {
@@ -125,9 +116,11 @@ std::string work_text(const integral_account& a) {
 }
 
 /// One rule for all pieces between the points; integrated until one of them is not certified.
-sum_of_pieces integrate_pieces(const prepared_integrand& f, const std::vector<end_point>& points,
-                               const integrate_options& how) {
-  sum_of_pieces sum;
+integral integrate_pieces(const prepared_integrand& f, const std::vector<end_point>& points,
+                          const integrate_options& how) {
+  integral sum;
+  sum.enclosure = ball(0, 64);
+  sum.verdict = status::certified;
   for (std::size_t k = 1; k < points.size(); ++k) {
     const integral part = integrate(f, points[k - 1], points[k], how);
     sum.account += part.account;
@@ -145,17 +138,17 @@ sum_of_pieces integrate_pieces(const prepared_integrand& f, const std::vector<en
 
 /// How the pieces are integrated to a sum of that radius, which may be 0 for any: first to so many
 /// digits each, and to more where they cancel.
-sum_of_pieces integrate_closely(const prepared_integrand& f, const std::vector<end_point>& points,
-                                integrate_options how, const magnitude& goal) {
+integral integrate_closely(const prepared_integrand& f, const std::vector<end_point>& points,
+                           integrate_options how, const magnitude& goal) {
   if (!goal.is_zero()) how.absolute_exponent = static_cast<long>(goal.log2_floor()) - 2;
-  sum_of_pieces sum = integrate_pieces(f, points, how);
+  integral sum = integrate_pieces(f, points, how);
   const bool cancels =
       sum.verdict == status::certified && !goal.is_zero() && !(sum.enclosure.radius() <= goal);
   if (!cancels || sum.enclosure.radius().is_infinite()) return sum;
   constexpr double digits_per_bit = 0.30103;
   const auto lost = static_cast<double>(sum.enclosure.radius().log2_floor() - goal.log2_floor());
   how.digits += static_cast<long>(std::ceil(lost * digits_per_bit)) + 2;
-  sum_of_pieces finer = integrate_pieces(f, points, how);
+  integral finer = integrate_pieces(f, points, how);
   finer.account += sum.account;
   return finer;
 }
@@ -208,7 +201,7 @@ second_opinion integral_again(const prepared_integrand& f, const end_point& a, c
     how.digits = digits + more_digits;
     how.rule = rule;
     how.threads = threads;
-    const sum_of_pieces sum = integrate_closely(f, points, how, goal);
+    const integral sum = integrate_closely(f, points, how, goal);
     route_report report;
     const bool own = is_among(rule, first.account.rules);
     another_failed =

@@ -192,7 +192,7 @@ TEST(PeriodicIntegral, TakesIntervalParameters) {
   EXPECT_TRUE(certified_to(result, 15));
   EXPECT_TRUE(contains(result.enclosure, pi(200)));
   // No precision makes the parameter narrower: the enclosure is true, and too wide.
-  periodic_options options;
+  trapezoid_options options;
   options.most_precision = 400;
   const periodic_integral refused = integrate_periodic(g, 60, options);
   EXPECT_EQ(refused.verdict, status::not_certified);
@@ -240,7 +240,7 @@ TEST(PeriodicIntegral, RefusesWhatHasNoProof) {
   const auto nowhere = [](const ball& c) { return 1 / (c - c); };
   EXPECT_TRUE(refused(integrate_periodic(bare<true>(nowhere), 53), reason::not_defined));
 
-  periodic_options options;
+  trapezoid_options options;
   options.most_nodes = 100;
   const periodic_integral many =
       integrate_periodic(half_phase_integrand(typical), bits_for_digits(100), options);

@@ -26,6 +26,7 @@
 #include <string>
 #include <vector>
 
+#include "polhode/arithmetic/certified_answer.hpp"
 #include "polhode/arithmetic/end_point.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/goal.hpp"
@@ -90,13 +91,7 @@ struct integral_account {
 
 /// An integral with its proof, or how far it got. T: ball, or complex_ball.
 template <class T>
-struct certified_integral {
-  /// Holds the integral, whatever the verdict; undefined where nothing is proved.
-  T enclosure = T::undefined(64);
-  status verdict = status::not_certified;
-  reason why = reason::none;
-  /// What stood in the way and where, in words; empty where it is certified.
-  std::string obstacle;
+struct certified_integral : certified_answer<T> {
   integral_account account;
 };
 struct integral : certified_integral<ball> {};

@@ -35,6 +35,7 @@
 #include <string>
 #include <vector>
 
+#include "polhode/arithmetic/certified_answer.hpp"
 #include "polhode/arithmetic/interval.hpp"
 #include "polhode/quadrature/integrate.hpp"
 
@@ -79,15 +80,10 @@ struct box_options {
   std::function<void(long)> progress = {};
 };
 
-struct box_integral {
-  /// Holds the integral for every p in the box, whatever the verdict; undefined where nothing is
-  /// proved.
-  ball enclosure = ball::undefined(64);
-  /// certified: the enclosure is bounded and proved. How near its ends are to the least and the
-  /// greatest integral is not promised, but where `attained` says so.
-  status verdict = status::not_certified;
-  reason why = reason::none;
-  std::string obstacle;
+/// The enclosure holds the integral for every p in the box. Certified: it is bounded and proved. How
+/// near its ends are to the least and the greatest integral is promised only where `attained` says
+/// so.
+struct box_integral : certified_answer<ball> {
   /// I was proved monotone in every parameter (on every box, where it was cut): each end of the
   /// enclosure is the least, or greatest, integral, to 10^-digits of it.
   bool attained = false;

@@ -23,6 +23,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "polhode/arithmetic/certified_answer.hpp"
 #include "polhode/arithmetic/scalar.hpp"
 #include "polhode/arithmetic/verdict.hpp"
 #include "polhode/quadrature/error_bounds.hpp"
@@ -112,30 +113,40 @@ template <scalar T, class Integrand>
   return T(sum * (2 * step));
 }
 
-/// An integral with its proof, or how far it got.
-struct periodic_integral {
-  ball enclosure;  // undefined where nothing is proved
-  status verdict = status::not_certified;
-  reason why = reason::none;
-  periodic_plan plan;
+/// An integral by the trapezoidal rule.
+struct trapezoid_integral : certified_answer<ball> {
   polhode::precision precision = 0;  // working bits
-  long evaluations = 0;              // of g, over all precisions tried
+  long evaluations = 0;              // at nodes, over all precisions tried
 };
 
-struct periodic_options {
+struct periodic_integral : trapezoid_integral {
+  periodic_plan plan;
+};
+
+struct trapezoid_options {
   long most_nodes = 20'000'000;
   precision most_precision = precision{1} << 26;
 };
 
-/// Encloses the integral from 0 to pi of g(cos t) dt in a ball of radius at most 2^(-bits). The
-/// working precision is raised until the rounding errors allow it.
+namespace detail {
+
+/// The rule's value, in a ball of radius at most 2^-bits: sum(p) encloses it with p bits but for
+/// what is left out, which `left_out` bounds, well below 2^-bits. The precision is raised until the
+/// rounding errors allow that radius. Verdicts: certified; or not_certified with not_defined, where
+/// a sum is undefined, or precision_limit.
+[[nodiscard]] trapezoid_integral sum_to_bits(const std::function<ball(precision)>& sum, long nodes,
+                                             const magnitude& left_out, long bits,
+                                             precision most_precision);
+
+}  // namespace detail
+
+/// Encloses the integral from 0 to pi of g(cos t) dt in a ball of radius at most 2^(-bits).
 /// Verdicts: certified; or not_certified with not_analytic, evaluation_limit, precision_limit, or
 /// not_defined (g is undefined at a node).
 template <class Integrand>
 [[nodiscard]] periodic_integral integrate_periodic(const Integrand& integrand, long bits,
-                                                   const periodic_options& options = {}) {
+                                                   const trapezoid_options& options = {}) {
   periodic_integral result;
-  result.enclosure = ball::undefined(64);
   result.plan = plan_periodic_trapezoid(
       [&](const ball& half_width) { return integrand.bound_on_strip(half_width); }, bits + 1,
       options.most_nodes);
@@ -143,23 +154,10 @@ template <class Integrand>
     result.why = result.plan.why;
     return result;
   }
-  const magnitude goal = magnitude::power_of_two(-bits);
-  // Rounding errors: a few bits each over n terms, and the size of the sum, found by trying.
-  for (precision p = std::max(bits, 32L) + 32; p <= options.most_precision; p += p / 2) {
-    const ball sum = periodic_trapezoid_sum<ball>(integrand, result.plan.nodes, p);
-    result.evaluations += result.plan.nodes;
-    result.precision = p;
-    if (sum.is_undefined()) {
-      result.why = reason::not_defined;
-      return result;
-    }
-    result.enclosure = sum.enlarged(result.plan.truncation_error.magnitude_upper());
-    if (result.enclosure.radius() <= goal) {
-      result.verdict = status::certified;
-      return result;
-    }
-  }
-  result.why = reason::precision_limit;
+  const long n = result.plan.nodes;
+  const auto sum = [&](precision p) { return periodic_trapezoid_sum<ball>(integrand, n, p); };
+  static_cast<trapezoid_integral&>(result) = detail::sum_to_bits(
+      sum, n, result.plan.truncation_error.magnitude_upper(), bits, options.most_precision);
   return result;
 }
 

@@ -22,9 +22,8 @@
 // near c is to an end of its range or to 0. For X = 0 or Z = 0 the integrals are complete: by the
 // arithmetic-geometric mean and Bartky's sum (docs/elliptic.md).
 
-#include "polhode/arithmetic/verdict.hpp"
+#include "polhode/rigid_body/certain_number.hpp"
 #include "polhode/rigid_body/regime.hpp"
-#include "polhode/rigid_body/work.hpp"
 
 namespace polhode {
 
@@ -60,14 +59,6 @@ class motion;
 /// dpsi around) = -(the integral of c + b x over a period) < 0.
 [[nodiscard]] ball dynamic_phase(const body& rigid, const rational& c, precision p);
 [[nodiscard]] ball geometric_phase(const body& rigid, const rational& c, precision p);
-
-/// A number to a given number of digits.
-struct certain_number {
-  status verdict = status::not_certified;
-  reason why = reason::precision_limit;
-  ball enclosure;  // with all the digits asked for certain; undefined where not certified
-  work_count work{};
-};
 
 /// The Montgomery phase to `digits` certain significant digits: the precision is raised until they
 /// are certain.

@@ -58,6 +58,8 @@ enum class with_slope : bool { no, yes };
                                     with_slope slope = with_slope::yes);
 [[nodiscard]] twist twist_to_digits(const body& rigid, const motion& of, long digits,
                                     with_slope slope = with_slope::yes);
+/// Its epsilon alone.
+[[nodiscard]] certain_number defect_to_digits(const body& rigid, const rational& c, long digits);
 
 /// The defect in the limit a -> infinity, b -> 0, with chi = a b and beta = c/b, to about p bits:
 ///   pi/2 - am(pi sqrt(chi (1 + beta)) | 1/(1 + beta)),

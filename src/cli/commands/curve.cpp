@@ -54,16 +54,14 @@ std::optional<std::array<rational, 2>> range_of(const curve_options& options, co
 }
 
 point point_at(const body& rigid, const rational& c, long digits) {
-  const twist t = twist_to_digits(rigid, c, digits, with_slope::no);
-  point p{c, certain({t.verdict, t.why, t.epsilon}, "epsilon at c = " + to_text(c), digits), {}};
+  const std::string at_c = " at c = " + to_text(c);
+  point p{c, certain(defect_to_digits(rigid, c, digits), "epsilon" + at_c, digits), {}};
   if (c <= 0) {
     const exact_real u = motion(rigid, c).turning_point();
     const exact_real square = u / (1 - u);  // of the tangent
     const auto angle = [&](precision q) { return atan(sqrt(square.at(q))); };
-    certain_number turning;
-    turning.enclosure = enclose_to_digits(angle, digits, ample_guard(digits));
-    if (!turning.enclosure.is_undefined()) turning.verdict = status::certified;
-    p.turning = certain(turning, "the turning point at c = " + to_text(c), digits);
+    p.turning = certain(number_to_digits(angle, digits, ample_guard(digits)),
+                        "the turning point" + at_c, digits);
   }
   return p;
 }

@@ -13,7 +13,10 @@ namespace {
 void check_phase(const body& rigid, const rational& c) { refuse_equilibrium(rigid, c, "phase"); }
 
 certain_number exactly(const integer& n) {
-  return {status::certified, reason::none, ball(rational(n), 64)};
+  certain_number result;
+  result.enclosure = ball(rational(n), 64);
+  result.verdict = status::certified;
+  return result;
 }
 
 /// The range of an integer that grows with a and b.
@@ -53,11 +56,7 @@ const std::vector<quantity>& all_quantities() {
        .description = "defect epsilon(c) of the tennis racket effect",
        .unit = "rad",
        .of_motion = true,
-       .compute =
-           [](const body& rigid, const rational& c, long digits) {
-             const twist t = twist_to_digits(rigid, c, digits, with_slope::no);
-             return certain_number{t.verdict, t.why, t.epsilon};
-           },
+       .compute = defect_to_digits,
        .check = [](const body& rigid,
                    const rational& c) { refuse_equilibrium(rigid, c, "epsilon(c)"); },
        .range = [](const body_box& box, const rational_range& c,

@@ -67,12 +67,21 @@ figure_content montgomery_rotating(long digits) {
 // ---------------------------------------------------------------------------------------------
 // Figures 5, 6 and 7: epsilon(c)
 
+/// The c of a meeting of C with S.
+ball motion_of(const meeting& found, long digits) {
+  certain_number c;
+  c.enclosure = found.c;
+  c.verdict = found.verdict;
+  c.why = found.why;
+  return certain(c, "a meeting with S", digits);
+}
+
 figure_content first_equation(long digits) {
   const body rigid = schematic_body();
   const rational& a = rigid.a().exact();
   const rational& b = rigid.b().exact();
   const meeting first = meeting_to_digits(rigid, 1, digits);
-  const ball c1 = certain({first.verdict, first.why, first.c}, "the meeting with S", digits);
+  const ball c1 = motion_of(first, digits);
   std::vector<rational> motions =
       merged({equally_spaced(-b, a, 150), approaching(0, 1, 4, -b, a), approaching(0, -1, 4, -b, a),
               approaching(a, -1, 4, 0, a)});
@@ -123,8 +132,7 @@ figure_content injectivity(long digits) {
         {"a = " + a, {{solid(colour), with_constant(a, rigid)}}, {twists(rigid, motions, digits)}});
     for (integer m = 1; m <= meeting_count(rigid); m += 2) {
       const meeting at = meeting_to_digits(rigid, m, digits);
-      meetings.parts.front().push_back(
-          {certain({at.verdict, at.why, at.c}, "a meeting with S", digits), at.epsilon});
+      meetings.parts.front().push_back({motion_of(at, digits), at.epsilon});
     }
   }
   result.curves.push_back(turning_curve(b, true, "S: c = −b sin^2ε", digits));

@@ -27,10 +27,7 @@ std::string circles(const char* colour) {
 }
 
 ball enclosed(const enclosing_function& f, const std::string& what, long digits) {
-  certain_number result;
-  result.enclosure = enclose_to_digits(f, digits, ample_guard(digits));
-  if (!result.enclosure.is_undefined()) result.verdict = status::certified;
-  return certain(result, what, digits);
+  return certain(number_to_digits(f, digits, ample_guard(digits)), what, digits);
 }
 
 coordinate negated(const coordinate& x) {
@@ -122,9 +119,8 @@ std::vector<figure_point> twists(const body& rigid, const std::vector<rational>&
   std::vector<figure_point> result;
   result.reserve(motions.size());
   for (const rational& c : motions) {
-    const twist t = twist_to_digits(rigid, c, digits, with_slope::no);
     result.push_back(
-        {c, certain({t.verdict, t.why, t.epsilon}, "epsilon at c = " + to_text(c), digits)});
+        {c, certain(defect_to_digits(rigid, c, digits), "epsilon at c = " + to_text(c), digits)});
   }
   return result;
 }

@@ -30,7 +30,7 @@ std::optional<end_growth> growth_at(const integrand& f, const rational& end, boo
 /// not_integrable where that says that f grows too fast, evaluation_limit, precision_limit,
 /// not_defined (f is undefined at a node).
 line_integral integral_over_line(const integrand& f, const rational& a, const rational& b,
-                                 long bits, const line_options& options) {
+                                 long bits, const trapezoid_options& options) {
   const rational length = b - a;
   line_integral result;
   const std::optional<end_growth> at_a = growth_at(f, a, true, length);
@@ -97,7 +97,7 @@ integral integrate_by_double_exponential(const integrand& f, const end_point& a,
   }
   result.account.rules = {quadrature_rule::double_exponential};
   result.account.panels = 1;
-  line_options limits;
+  trapezoid_options limits;
   limits.most_nodes = options.most_evaluations;
   if (options.most_precision) limits.most_precision = *options.most_precision;
   const long digit_bits = bits_for_digits(options.digits) + 2;

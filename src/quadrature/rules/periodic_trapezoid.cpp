@@ -88,4 +88,41 @@ periodic_plan plan_periodic_trapezoid(
   return plan;
 }
 
+trapezoid_integral detail::sum_to_bits(const std::function<ball(precision)>& sum, long nodes,
+                                       const magnitude& left_out, long bits,
+                                       precision most_precision) {
+  trapezoid_integral result;
+  const magnitude goal = magnitude::power_of_two(-bits);
+  const precision first =
+      std::max(bits, 32L) + 16 + static_cast<long>(std::log2(static_cast<double>(nodes)));
+  double last = std::numeric_limits<double>::infinity();
+  precision p = first;
+  while (p <= most_precision) {
+    const ball value = sum(p);
+    result.evaluations += nodes;
+    result.precision = p;
+    if (value.is_undefined()) {
+      result.why = reason::not_defined;
+      return result;
+    }
+    result.enclosure = value.enlarged(left_out);
+    const magnitude radius = result.enclosure.radius();
+    if (radius <= goal) {
+      result.verdict = status::certified;
+      return result;
+    }
+    if (radius.is_infinite()) {
+      if (p > 16 * first) break;
+      p *= 2;
+      continue;
+    }
+    const double excess = estimated_log2(radius) + static_cast<double>(bits);
+    if (!(excess < last - 1)) break;  // more bits do not help any more
+    last = excess;
+    p += excess < 1e15 ? static_cast<long>(excess) + 12 : p;
+  }
+  result.why = reason::precision_limit;
+  return result;
+}
+
 }  // namespace polhode

@@ -186,7 +186,7 @@ magnitude integral_along(const region_function& f, double left, double right, do
 }
 
 line_integral carry_out(line_plan plan, const std::function<ball(long n, precision p)>& sum,
-                        long bits, const magnitude& beyond, const line_options& options) {
+                        long bits, const magnitude& beyond, const trapezoid_options& options) {
   line_integral result;
   result.plan = std::move(plan);
   const long n = result.plan.nodes;
@@ -194,30 +194,9 @@ line_integral carry_out(line_plan plan, const std::function<ball(long n, precisi
     result.why = result.plan.why;
     return result;
   }
-  const magnitude goal = magnitude::power_of_two(-bits);
-  const magnitude left_out = add_up(result.plan.truncation_error, beyond);
-  precision p = std::max(bits, 32L) + 16 + static_cast<long>(std::log2(static_cast<double>(n)));
-  double last = std::numeric_limits<double>::infinity();
-  for (; p <= options.most_precision;) {
-    const ball value = sum(n, p);
-    result.evaluations += n;
-    result.precision = p;
-    if (value.is_undefined()) {
-      result.why = reason::not_defined;
-      return result;
-    }
-    result.enclosure = value.enlarged(left_out);
-    const magnitude radius = result.enclosure.radius();
-    if (radius <= goal) {
-      result.verdict = status::certified;
-      return result;
-    }
-    const double excess = estimated_log2(radius) + static_cast<double>(bits);
-    if (!(excess < last - 1)) break;  // more bits do not help any more
-    last = excess;
-    p += excess < 1e15 ? static_cast<long>(excess) + 12 : p;
-  }
-  result.why = reason::precision_limit;
+  static_cast<trapezoid_integral&>(result) =
+      sum_to_bits([&](precision p) { return sum(n, p); }, n,
+                  add_up(result.plan.truncation_error, beyond), bits, options.most_precision);
   return result;
 }
 

@@ -11,13 +11,9 @@
 #include "polhode/arithmetic/region.hpp"
 #include "polhode/arithmetic/verdict.hpp"
 #include "polhode/quadrature/error_bounds.hpp"
+#include "polhode/quadrature/periodic_trapezoid.hpp"
 
 namespace polhode::detail {
-
-struct line_options {
-  long most_nodes = 20'000'000;
-  precision most_precision = precision{1} << 26;
-};
 
 /// A number of nodes and the proof that it suffices.
 struct line_plan {
@@ -28,14 +24,8 @@ struct line_plan {
   long region_evaluations = 0;
 };
 
-/// An integral with its proof, or how far it got.
-struct line_integral {
-  ball enclosure = ball::undefined(64);  // undefined where nothing is proved
-  status verdict = status::not_certified;
-  reason why = reason::none;
+struct line_integral : trapezoid_integral {
   line_plan plan;
-  polhode::precision precision = 0;  // working bits
-  long evaluations = 0;              // of f at real nodes, over all precisions tried
 };
 
 /// What can be proved about a function in the rectangle of half the height d; nothing where that is
@@ -62,11 +52,11 @@ using region_function = std::function<region(const region& z)>;
 [[nodiscard]] magnitude integral_along(const region_function& f, double left, double right,
                                        double d, long& evaluations);
 
-/// The sum and its proof, for a plan that was made for 2^-(bits + 1): sum(p) is the rule's value
-/// with p bits, beyond bounds what its range leaves out.
+/// The sum and its proof, for a plan that was made for 2^-(bits + 1): sum(n, p) is the rule's value
+/// with n nodes and p bits, beyond bounds what its range leaves out.
 [[nodiscard]] line_integral carry_out(line_plan plan,
                                       const std::function<ball(long n, precision p)>& sum,
                                       long bits, const magnitude& beyond,
-                                      const line_options& options);
+                                      const trapezoid_options& options);
 
 }  // namespace polhode::detail
