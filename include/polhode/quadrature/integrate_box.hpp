@@ -80,9 +80,9 @@ struct box_options {
   std::function<void(long)> progress = {};
 };
 
-/// The enclosure holds the integral for every p in the box. Certified: it is bounded and proved. How
-/// near its ends are to the least and the greatest integral is promised only where `attained` says
-/// so.
+/// The enclosure holds the integral for every p in the box. Certified: it is bounded and proved.
+/// How near its ends are to the least and the greatest integral is promised only where `attained`
+/// says so.
 struct box_integral : certified_answer<ball> {
   /// I was proved monotone in every parameter (on every box, where it was cut): each end of the
   /// enclosure is the least, or greatest, integral, to 10^-digits of it.
