@@ -314,8 +314,10 @@ atan2: _OfNumbersOrSymbols
 atan: _OfNumbersOrSymbols
 atanh: _OfNumbersOrSymbols
 besselI: _OfNumbersOrSymbols
+besselIx: _OfNumbersOrSymbols
 besselJ: _OfNumbersOrSymbols
 besselK: _OfNumbersOrSymbols
+besselKx: _OfNumbersOrSymbols
 besselY: _OfNumbersOrSymbols
 binomial: _OfNumbersOrSymbols
 bulirschCel: _OfNumbersOrSymbols
@@ -351,6 +353,7 @@ erfi: _OfNumbersOrSymbols
 euler_beta: _OfNumbersOrSymbols
 exp: _OfNumbersOrSymbols
 expint: _OfNumbersOrSymbols
+expintx: _OfNumbersOrSymbols
 expm1: _OfNumbersOrSymbols
 factorial: _OfNumbersOrSymbols
 floor: _OfNumbersOrSymbols

@@ -47,6 +47,23 @@ ball affine_map::operator()(const ball& t) const {
   return a_.at(p) + length(p) * t;
 }
 
+namespace {
+/// f over an infinite range by scaled functions; nullopt where it has none, or they do not help.
+std::optional<integral> integrate_scaled(const integrand& f, const end_point& a, const end_point& b,
+                                         const integrate_options& options) {
+  const std::vector<part> parts = f.scaled ? f.scaled(a, b) : std::vector<part>();
+  if (parts.empty()) return std::nullopt;
+  if (auto sum = sum_to_goal(parts, options)) return sum;
+  // They are parts of the range: where one diverges, so does the whole.
+  for (const part& p : parts) {
+    if (p.lower.infinite_sign() == 0 && p.upper.infinite_sign() == 0) continue;
+    integral found = integrate_function(p.f, p.lower, p.upper, options);
+    if (found.why == reason::not_integrable) return found;
+  }
+  return std::nullopt;
+}
+}  // namespace
+
 integral integrate_function(const integrand& f, const end_point& a, const end_point& b,
                             const integrate_options& options) {
   if (options.digits < 1) throw std::invalid_argument("integrate: digits must be at least 1");
@@ -88,6 +105,9 @@ integral integrate_function(const integrand& f, const end_point& a, const end_po
     if (!parts.empty()) {
       if (auto sum = sum_to_goal(parts, options)) return *std::move(sum);
     }
+  }
+  if (infinite) {
+    if (auto found = integrate_scaled(f, a, b, options)) return *std::move(found);
   }
   for (const quadrature_rule& rule : quadrature_rule::all()) {
     if (!rule.strategy()->is_automatic()) continue;

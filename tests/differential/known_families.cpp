@@ -511,6 +511,88 @@ integral_case special_integral(maker& m) {
   return to_infinity_or(c, f);
 }
 
+/// Scaled functions, and products of exponentials with the functions of which they are left.
+integral_case scaled_integral(maker& m) {
+  const term k = m.rational_near(m.within(0.3, 3));
+  const term t = k * x;
+  const auto of = [](const char* name, const term& order, const term& at) {
+    return call(name, order, at);
+  };
+  const auto grown = [&](const term& u) { return call("exp", u); };
+  const auto [a, b] = m.range(0.05, 12);
+  integral_case c{x, a, b, few_digits(m)};
+  const term pi("pi");
+  const term p = m.between(1, 9) / term(10);  // of a factor x^(p - 1)
+  const auto by_mellin = [&](const term& f, const term& value) {
+    c.integrand = f * power(x, p - 1);
+    c.from = 0;
+    c.to = "inf";
+    c.value = value / power(k, p);
+    return c;
+  };
+  term f = 0;
+  switch (m.between(0, 10)) {
+    case 0:
+      c.integrand = k * of("besselIx", 0, t);
+      f = t * (of("besselIx", 0, t) + of("besselIx", 1, t));
+      return to_infinity_or(c, f);
+    case 1:
+      c.integrand = k * of("besselKx", 0, t);
+      f = t * (of("besselKx", 0, t) + of("besselKx", 1, t));
+      return to_infinity_or(c, f);
+    case 2:
+      c.integrand = k * of("expintx", 1, t);
+      f = of("expintx", 1, t) + call("log", t);
+      return to_infinity_or(c, f);
+    case 3: {
+      const term s = k + m.rational_near(m.within(0.1, 2));
+      c.integrand = grown(-(s * x)) * of("besselI", 0, t);
+      c.from = 0;
+      c.to = "inf";
+      c.value = 1 / call("sqrt", s * s - k * k);
+      return c;
+    }
+    case 4:  // the derivative of I_0 K_0
+      c.integrand = k * (of("besselI", 1, t) * of("besselK", 0, t) -
+                         of("besselI", 0, t) * of("besselK", 1, t));
+      c.to = "inf";
+      c.value = -substituted(of("besselI", 0, t) * of("besselK", 0, t), "x", c.from);
+      return c;
+    case 5:  // G. N. Watson, Q. J. Math. 10, 1939: of the simple cubic lattice
+      c.integrand = grown(-3 * t) * power(of("besselI", 0, t), 3);
+      c.from = 0;
+      c.to = "inf";
+      f = call("sqrt", 6) / (96 * power(pi, 3) * k);
+      for (const long j : {1, 5, 7, 11}) f = f * call("gamma", j / term(24));
+      c.value = f;
+      return c;
+    // With the integrals of the functions over s: x^(p - 1) exp(-x s) gives gamma(p) s^-p.
+    case 6:
+      return by_mellin(grown(t) * of("expint", 1, t), call("gamma", p) * pi / call("sin", pi * p));
+    case 7:
+      return by_mellin(grown(t) * of("gammaUpper", 0, t),
+                       call("gamma", p) * pi / call("sin", pi * p));
+    case 8:
+      return by_mellin(
+          grown(t * t) * call("erfc", t),
+          call("gamma", p) * power(2, -p) * call("gamma", (1 - p) / 2) / call("sqrt", pi));
+    default: {  // DLMF 10.43.22 at the end of its range, and the same of I: 0 < p < 1/2
+      const term q = p / 2;
+      const term nu = q / m.between(2, 4);
+      c.from = 0;
+      c.to = "inf";
+      const bool is_k = m.one_in(2);
+      c.integrand = (is_k ? grown(t) * of("besselK", nu, t) : grown(-t) * of("besselI", nu, t)) *
+                    power(x, q - 1);
+      const term common = call("gamma", 1 / term(2) - q) * call("gamma", q + nu) /
+                          (call("sqrt", pi) * power(2 * k, q));
+      c.value = common * (is_k ? call("cos", nu * pi) * call("gamma", q - nu)
+                               : 1 / call("gamma", 1 + nu - q));
+      return c;
+    }
+  }
+}
+
 /// Bessel functions to infinity, where they converge by oscillation: Hankel transforms, Weber and
 /// Schafheitlin's integrals (G. N. Watson, Theory of Bessel Functions, 13.3 to 13.6; DLMF
 /// 10.22(v)).
@@ -597,6 +679,7 @@ std::vector<integral_family> known_families() {
     all.push_back({"Arb's functions", 8, mostly_cheap(special_integral)});
     all.push_back({"error and incomplete gamma functions", 6, mostly_cheap(error_integral)});
     all.push_back({"Bessel functions to infinity", 6, bessel_to_infinity});
+    all.push_back({"scaled functions", 6, scaled_integral});
   }
   return all;
 }

@@ -119,6 +119,9 @@ TEST_F(ArbFunctions, AreTiedByIdentities) {
     EXPECT_TRUE(contains_zero(g("airyAi", x) * g("airyBiPrime", x) -
                               g("airyAiPrime", x) * g("airyBi", x) - 1 / pi(200)));
     EXPECT_TRUE(contains_zero(n * f("expint", n + 1, x) + x * f("expint", n, x) - exp(-x)));
+    EXPECT_TRUE(contains_zero(f("besselIx", n, x) * exp(x) - f("besselI", n, x)));
+    EXPECT_TRUE(contains_zero(f("besselKx", n, x) * exp(-x) - f("besselK", n, x)));
+    EXPECT_TRUE(contains_zero(f("expintx", n, x) * exp(-x) - f("expint", n, x)));
     EXPECT_TRUE(contains_zero(g("lambertW", x * exp(x)) - x));
     EXPECT_TRUE(contains_zero(g("Ei", -x) + f("expint", ball(1, 200), x)));
     const ball u = x / (1 + x);
@@ -200,6 +203,29 @@ TEST_F(ArbFunctions, OverSetsHoldTheirValuesAtPoints) {
       }
     }
     EXPECT_GT(defined, 0);
+  }
+}
+
+/// Over sets of orders as well, whatever the bits that Arb would lose to them.
+TEST_F(ArbFunctions, OverSetsOfOrdersHoldTheirValues) {
+  const precision p = 128;
+  for (const char* name : {"besselK", "besselKx", "expint", "expintx"}) {
+    const further_function& f = named(name);
+    for (support::repeat trial(100); trial.again();) {
+      const rational nu = random.one_in(2) ? between(-3, 40) : between(0, 3);
+      const rational half = scattered(0) / (1L << random.between(4, 60));
+      const rational x = scattered(random.between(0, 6));
+      const ball set = from_end_points(rational(nu - half), rational(nu + half), p);
+      const ball value = f.value(std::array{set, ball(x, p)});
+      for (int k = -4; k <= 4; ++k) {
+        const ball at(rational(nu + half * k / 4), p);
+        const ball exact = f.value(std::array{at.middle(), ball(x, p)});
+        EXPECT_TRUE(!value.is_bounded() || overlaps(value, exact)) << name << nu << " " << x;
+      }
+    }
+    const ball third = ball(rational(1, 3), p);
+    const ball value = f.value(std::array{third, ball(50, p)});
+    EXPECT_LE(value.radius(), scale(value.magnitude_upper(), -100)) << name;
   }
 }
 
@@ -323,7 +349,7 @@ TEST_F(ArbFunctions, LieBesideTheirLeadingTermsAtZero) {
       EXPECT_TRUE(lies_beside(f, *near, orders, x)) << f.what.name << " " << nu << " " << x;
     }
   }
-  EXPECT_EQ(functions, 19);
+  EXPECT_EQ(functions, 22);
 }
 
 TEST_F(ArbFunctions, LieBesideTheirLeadingTermsAtInfinity) {
@@ -345,7 +371,7 @@ TEST_F(ArbFunctions, LieBesideTheirLeadingTermsAtInfinity) {
       EXPECT_TRUE(lies_beside(f, *near, orders, x)) << f.what.name << " " << nu << " " << x;
     }
   }
-  EXPECT_EQ(functions, 20);
+  EXPECT_EQ(functions, 23);
 }
 
 /// Over sets beside and across the end of the domain; of the elliptic functions too.
@@ -382,7 +408,7 @@ TEST_F(ArbFunctions, HaveNaturalRangesThatHoldTheirValuesWhereTheyAreDefined) {
       }
     }
   }
-  EXPECT_EQ(functions, 20);
+  EXPECT_EQ(functions, 23);
   EXPECT_GT(50 * crossing, trials);
 }
 

@@ -331,6 +331,12 @@ class expression {
   /// x -> inf written by exponentials that decay: "1/sinh(x)" is "2*exp(-x)/(1 - exp(-2*x))". None
   /// where there are no such divisors, and of long formulas.
   [[nodiscard]] std::optional<expression> with_decaying_exponentials() const;
+  /// The same function for x > 0 wherever both are defined, with what is left for x -> inf of
+  /// products in which exponentials and functions that grow or decay as exponentials undo each
+  /// other: "exp(x^2)*erfc(x)" is "erfcx(x)", "exp(-3*x)*besselI(0,x)^3" is "besselIx(0,x)^3". None
+  /// where no factor seems to grow that the others keep from growing, of long formulas, and where
+  /// there is no Arb.
+  [[nodiscard]] std::optional<expression> with_scaled_functions() const;
   /// The polynomial with rational coefficients that a formula of at most one variable is, by sums,
   /// products, whole powers and quotients by numbers. None where it is not, or its expansion is
   /// long: a degree above 10,000, a million products of coefficients.

@@ -25,6 +25,16 @@ namespace arb_functions_impl {
 // Values
 
 complex_ball value_of(const definition& f, const call& x, precision p) {
+  if (x.order != nullptr && !x.order->is_exact() && f.over_order != nullptr) {
+    const magnitude slope = f.over_order(x);
+    if (!slope.is_infinite()) {
+      const ball middle = x.order->middle();
+      complex_ball result =
+          value_of(f, {&middle, x.z}, p).enlarged(multiply_up(x.order->radius(), slope));
+      if (x.is_real()) result.im = ball(0, p);
+      return result;
+    }
+  }
   const arb_number z(x.z);
   std::optional<arb_number> order;
   if (x.order != nullptr) order.emplace(complex_ball(*x.order));

@@ -11,8 +11,9 @@ namespace polhode::detail {
 
 // clang-format off
 #define POLHODE_ARB_FUNCTIONS(X) \
-  X(acb_clear) X(acb_digamma) X(acb_div) X(acb_exp) X(acb_mul) X(acb_neg) X(acb_sqrt) \
+  X(acb_clear) X(acb_digamma) X(acb_div) X(acb_exp) X(acb_mul) X(acb_neg) X(acb_sqrt) X(acb_sub) \
   X(acb_rel_error_bits) X(acb_hypgeom_airy) X(acb_hypgeom_bessel_i) \
+  X(acb_hypgeom_bessel_i_scaled) \
   X(acb_hypgeom_bessel_j) X(acb_hypgeom_bessel_k) X(acb_hypgeom_bessel_k_scaled) \
   X(acb_hypgeom_bessel_y) X(acb_hypgeom_chi) X(acb_hypgeom_ci) \
   X(acb_hypgeom_dilog) X(acb_hypgeom_ei) X(acb_hypgeom_erfc) X(acb_hypgeom_erfi) \

@@ -123,6 +123,13 @@ void value_of_k(acb_ptr r, acb_srcptr order, acb_srcptr z, slong p) {
   arb().acb_hypgeom_bessel_k(r, order, z, p);
 }
 
+void value_of_scaled_i(acb_ptr r, acb_srcptr order, acb_srcptr z, slong p) {
+  arb().acb_hypgeom_bessel_i_scaled(r, order, z, p);
+}
+void value_of_scaled_k(acb_ptr r, acb_srcptr order, acb_srcptr z, slong p) {
+  arb().acb_hypgeom_bessel_k_scaled(r, order, z, p);
+}
+
 /// K is the integral of e^(-z cosh t) cosh(order t) over t > 0, for Re z > 0 (DLMF 10.32.9): it and
 /// its derivative are largest at the least Re z = x, where they are K and -K'.
 bounds bounds_of_k(const call& x) {
@@ -148,6 +155,65 @@ bounds bounds_of_i(const call& x) {
   };
   return lesser(bounds_near_zero(x, growth), {sum(k.size), sum(k.slope)});
 }
+
+/// e^z K is the integral of e^(-z u) cosh(order t), u = cosh t - 1: it and its derivative, that of
+/// u e^(-z u) cosh(order t), are largest, in size, at the least Re z = x. As u e^(-x u/2) is at
+/// most 2/(e x), the second is at most 2/(e x) times the first at x/2.
+bounds bounds_of_scaled_k(const call& x) {
+  const complex_ball z(least_of(x.z.re));
+  if (!certainly_positive(z.re)) return {};
+  const definition& k = named("besselKx");
+  const ball less = *x.order - 1;
+  const ball more = *x.order + 1;
+  const complex_ball value = value_of(k, {x.order, z}, few_bits);
+  const complex_ball half(scale(z.re, -1));
+  const ball of_half = value_of(k, {x.order, half}, few_bits).re;
+  const magnitude far = (2 * of_half / (exp(ball(1, few_bits)) * z.re)).magnitude_upper();
+  const complex_ball sum = value_of(k, {&less, z}, few_bits) + value_of(k, {&more, z}, few_bits);
+  return {value.magnitude_upper(), std::min(far, (sum / 2 - value).magnitude_upper())};
+}
+/// By the integrals of bounds_of_i, with u = 1 - cos t and x the least Re z: e^-z I is at most
+/// 1/pi times the integral of e^(-x u) over 0 < t < pi, and its derivative that of u e^(-x u). For
+/// x > 0 the first is e^-x I_0(x), at most 1 and sqrt(pi/(8 x)) (bound_of_i0); the second is at
+/// most 2/(e x) times the first at x/2, as u e^(-x u/2) <= 2/(e x). For x <= 0 they are at most
+/// e^(-2 x) and 2 e^(-2 x). Of an order that is not whole, the second integral of e^-z I is at most
+/// 2 K(x)/(pi e^x), its derivative 2 (K(x) - K'(x))/(pi e^x).
+bounds bounds_of_scaled_i(const call& x) {
+  const ball least = least_of(x.z.re);
+  const bool is_right = certainly_positive(least);
+  const auto of_cosine = [](const ball& y) {
+    return min(ball(1, few_bits), sqrt(pi(few_bits) / (8 * y)));
+  };
+  const ball size = is_right ? of_cosine(least) : exp(-2 * least);
+  ball slope = 2 * size;
+  if (is_right) {
+    slope = min(slope, 2 * of_cosine(least / 2) / (exp(ball(1, few_bits)) * least));
+  }
+  const bounds of_whole{size.magnitude_upper(), slope.magnitude_upper()};
+  if (is_whole(*x.order)) return of_whole;
+  const bounds k = bounds_of_k(x);
+  const ball factor = 2 * exp(-least) / pi(few_bits);
+  const ball tail = upper_of(k.size) * factor;
+  const bounds of_integrals{(size + tail).magnitude_upper(),
+                            (slope + tail + upper_of(k.slope) * factor).magnitude_upper()};
+  // |e^-z| = e^-Re z takes the growth from bounds_near_zero; the derivative is e^-z (I' - I).
+  bounds near = is_right ? bounds_near_zero(x, ball(0, few_bits)) : bounds();
+  near.slope = add_up(near.slope, near.size);
+  return lesser(near, of_integrals);
+}
+
+/// K is convex in nu and even, and so is e^z K, by their integrals: for |nu| <= N, x = Re z and any
+/// h > 0 the derivative in nu is at most the value of order N + h at x, less that of order N,
+/// divided by h.
+magnitude over_order_of(const char* name, const call& x) {
+  const complex_ball z(least_of(x.z.re));
+  if (!certainly_positive(z.re)) return magnitude::infinity();
+  const ball step = step_of_order(z.re);
+  const ball more = upper_end(abs(*x.order) + step);
+  return (value_of(named(name), {&more, z}, few_bits).re / step).magnitude_upper();
+}
+magnitude over_order_of_k(const call& x) { return over_order_of("besselK", x); }
+magnitude over_order_of_scaled_k(const call& x) { return over_order_of("besselKx", x); }
 
 /// For nu >= 0 its series has positive terms; of a whole order it is even, or odd,
 /// and even in nu.
@@ -184,15 +250,20 @@ majorant majorant_of_i(const ball* order, int sign) {
   if (!is_whole(*order)) return std::nullopt;
   return steady(sign > 0 ? "exp(x)" : "exp(-x)");
 }
+majorant majorant_of_scaled_i(const ball* order, int sign) {
+  if (!is_whole(*order)) return std::nullopt;
+  return steady(sign > 0 ? "1" : "exp(-2*x)");
+}
 /// By its integral K increases with |order|; and with the least n >= |order| - 1/2,
 /// K_(n + 1/2)(x) = sqrt(pi/(2 x)) e^-x times the sum of (n+k)!/(k! (n-k)! (2 x)^k) over
 /// 0 <= k <= n (DLMF 10.47.9, 10.49.12). With cosh t = 1 + u K_0(x) is e^-x times the integral of
 /// e^(-x u)/sqrt(u (u + 2)) over u > 0, at most gamma(1/8) x^(-1/8), as u (u + 2) >= u^(7/4).
-majorant majorant_of_k(const ball* order, int sign) {
+/// The same of e^x K without the factor e^-x.
+majorant majorant_with_factor(const ball* order, int sign, std::string_view factor) {
   constexpr long most = 20;
   const rational size = most_of(*order);
   if (sign < 0 || !(size <= most)) return std::nullopt;
-  if (size == 0) return steady("8*exp(-x)*x^(-1/8)");
+  if (size == 0) return steady(fmt::format("8*{}*x^(-1/8)", factor));
   long n = 0;
   while (rational(2 * n + 1, 2) < size) ++n;
   std::string sum = "1";
@@ -201,7 +272,13 @@ majorant majorant_of_k(const ball* order, int sign) {
     c = c * (n + k) * (n - k + 1) / k;
     sum += fmt::format("+{}/(2*x)^{}", c.str(), k);
   }
-  return steady(fmt::format("sqrt(pi/(2*x))*exp(-x)*({})", sum));
+  return steady(fmt::format("sqrt(pi/(2*x))*{}*({})", factor, sum));
+}
+majorant majorant_of_k(const ball* order, int sign) {
+  return majorant_with_factor(order, sign, "exp(-x)");
+}
+majorant majorant_of_scaled_k(const ball* order, int sign) {
+  return majorant_with_factor(order, sign, "1");
 }
 
 // Near 0, for 0 < x <= 1/2.
@@ -237,6 +314,17 @@ leading leading_of_k(const ball* order, int sign) {
   if (!certainly_positive(nu) || !certainly_less(nu, ball(2, few_bits))) return std::nullopt;
   return leading_term(main, fmt::format("gamma({}/2)/2", size));  // with d = nu/2
 }
+/// 1 - e^-x <= x and e^x - 1 <= 2 x, e^x <= 2 for 0 < x <= 1/2.
+leading leading_of_scaled_i(const ball* order, int sign) {
+  leading i = leading_of_j(order, sign);
+  if (i && sign > 0) i->rest = fmt::format("({})+x*({})", i->rest, i->main);
+  return i;
+}
+leading leading_of_scaled_k(const ball* order, int sign) {
+  leading k = leading_of_k(order, sign);
+  if (k && sign > 0) k->rest = fmt::format("2*({})+2*x*({})", k->rest, k->main);
+  return k;
+}
 leading leading_of_y(const ball* order, int sign) {
   if (sign < 0) return not_defined();
   if (sign_of(*order) != certain_sign::zero) return std::nullopt;
@@ -256,17 +344,38 @@ leading leading_of_y(const ball* order, int sign) {
 //   As e^-x x sqrt(2 pi x), which falls from x = 3/2 on, is less than 3/8 at 4, and sqrt(pi)/2
 // sqrt(2 pi) < 9/4, all this is at most m/x (1/4 + 3/16 + 1/16 + nu^2 (pi/4) (9/4 + 6/5)) <=
 // m/x (1/2 + 3 nu^2).
-leading i_at_infinity(const ball* order, int sign) {
+leading i_with_factor(const ball* order, int sign, std::string_view right, std::string_view left) {
   if (!certainly_less_equal(ball(0, few_bits), *order)) return std::nullopt;
-  const std::string share = "(1/2+3*nu^2)";
+  const std::string_view share = "(1/2+3*nu^2)";
   if (sign > 0) {
-    return leading_term("exp(x)/sqrt(2*pi*x)", "exp(x)/sqrt(2*pi*x)*" + share + "/x");
+    const std::string main = fmt::format("{}/sqrt(2*pi*x)", right);
+    return leading_term(main, fmt::format("{}*{}/x", main, share));
   }
   // I(-x) = (-1)^nu I(x) of a whole order.
   if (!is_whole(*order)) return std::nullopt;
-  const char* main = numerator(lower_rational(*order)) % 2 == 0 ? "exp(-x)/sqrt(-2*pi*x)"
-                                                                : "-exp(-x)/sqrt(-2*pi*x)";
-  return leading_term(main, "exp(-x)/sqrt(-2*pi*x)*" + share + "/(-x)");
+  const std::string size = fmt::format("{}/sqrt(-2*pi*x)", left);
+  const bool is_even = numerator(lower_rational(*order)) % 2 == 0;
+  return leading_term(is_even ? size : "-" + size, fmt::format("{}*{}/(-x)", size, share));
+}
+leading i_at_infinity(const ball* order, int sign) {
+  return i_with_factor(order, sign, "exp(x)", "exp(-x)");
+}
+leading scaled_i_at_infinity(const ball* order, int sign) {
+  return i_with_factor(order, sign, "1", "exp(-2*x)");
+}
+
+// With cosh t = 1 + u, e^x K(x) is the integral of e^(-x u) cosh(nu t)/sqrt(u (u + 2)) over u > 0.
+// With m = sqrt(pi/(2 x)), that of e^(-x u)/sqrt(2 u):
+//   1/sqrt(2) - 1/sqrt(2 + u) lies between 0 and u/(4 sqrt(2)), as 1/sqrt(2 + u) is convex: that is
+// at most 1/(4 sqrt(2)) times the integral of sqrt(u) e^(-x u), sqrt(pi)/2 x^(-3/2): m/(8 x).
+//   t^2 <= 2 u, and 0 <= cosh(nu t) - 1 <= nu^2 t^2/2 cosh(nu t) <= nu^2 u e^|nu t|, of which
+// |nu t| <= |nu| sqrt(2 u) <= nu^2/4 + 2 u. That adds at most nu^2 e^(nu^2/4)/sqrt(2) times the
+// integral of sqrt(u) e^(-(x - 2) u), sqrt(pi)/2 (x - 2)^(-3/2) <= sqrt(2 pi) x^(-3/2) for x >= 4:
+// at most sqrt(2) nu^2 e^(nu^2/4) m/x.
+leading scaled_k_at_infinity(const ball* order, int sign) {
+  constexpr long most = 20;
+  if (sign < 0 || !(most_of(*order) <= most)) return std::nullopt;
+  return leading_term("sqrt(pi/(2*x))", "sqrt(pi/(2*x))*(1/8+3/2*nu^2*exp(nu^2/4))/x");
 }
 
 /// J and I: of a negative number where the order is whole; at 0 where it is not negative as well.
@@ -274,7 +383,8 @@ bool may_be_defined_at(known_arguments x) {
   if (!is_number(x[0]) || !is_number(x[1]) || denominator(x[0]->q) == 1) return true;
   return x[1]->q > 0 || (x[1]->q == 0 && x[0]->q > 0);
 }
-/// |J(x)| <= (x/2)^nu/gamma(nu + 1) for nu >= 0 (DLMF 10.14.4), and I increases from 0 for nu > 0.
+/// |J(x)|, and e^-x I(x), are at most (x/2)^nu/gamma(nu + 1) for nu >= 0 (DLMF 10.14.4), and I
+/// increases from 0 for nu > 0.
 ball j_from_zero(const ball* order, const ball& x) {
   const precision p = x.precision();
   const ball upper = upper_end(x);
@@ -341,12 +451,39 @@ std::vector<definition> bessel_functions() {
            .value = value_of_k,
            .in_the_way = left_half,
            .over = bounds_of_k,
+           .over_order = over_order_of_k,
            .slope = "-(besselK(nu-1,x)+besselK(nu+1,x))/2",
            .may_be_defined = last_is_positive,
            .is_nowhere_defined = not_positive,
            .bound = majorant_of_k,
            .is_monotonic = where_positive,
-           .near_zero = leading_of_k}};
+           .near_zero = leading_of_k},
+          {.what = {"besselIx", "nu, x", "exp(-x) besselI(nu, x)", domain},
+           .has_order = true,
+           .value = value_of_scaled_i,
+           .in_the_way = left_half_unless_whole,
+           .over = bounds_of_scaled_i,
+           .slope = "(besselIx(nu-1,x)+besselIx(nu+1,x))/2-besselIx(nu,x)",
+           .may_be_defined = may_be_defined_at,
+           .is_nowhere_defined = negative_with_broken_order,
+           .where_defined = j_from_zero,
+           .simpler = value_at_zero,
+           .bound = majorant_of_scaled_i,
+           .near_zero = leading_of_scaled_i,
+           .near_infinity = scaled_i_at_infinity},
+          {.what = {"besselKx", "nu, x", "exp(x) besselK(nu, x)", "x > 0"},
+           .has_order = true,
+           .value = value_of_scaled_k,
+           .in_the_way = left_half,
+           .over = bounds_of_scaled_k,
+           .over_order = over_order_of_scaled_k,
+           .slope = "besselKx(nu,x)-(besselKx(nu-1,x)+besselKx(nu+1,x))/2",
+           .may_be_defined = last_is_positive,
+           .is_nowhere_defined = not_positive,
+           .bound = majorant_of_scaled_k,
+           .is_monotonic = where_positive,
+           .near_zero = leading_of_scaled_k,
+           .near_infinity = scaled_k_at_infinity}};
 }
 
 }  // namespace polhode::arb_functions_impl

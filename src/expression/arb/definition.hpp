@@ -57,6 +57,10 @@ struct definition {
   obstacle (*in_the_way)(const call& x) = nothing;
   /// Bounds over the rectangle z, on which f is analytic; nullptr: Arb has good values over sets.
   bounds (*over)(const call& x) = nullptr;
+  /// A bound of the derivative in the order, over the order's set, at a single z or over a set;
+  /// nullptr: none is known. With it the values of an order that is a set are those of its middle
+  /// and an error: Arb loses as many bits as it would for a single number cancel, or takes minutes.
+  magnitude (*over_order)(const call& x) = nullptr;
   const char* slope = "";  // f' as a formula in the names of its arguments
   std::function<bool(known_arguments)> may_be_defined = nullptr;
   /// f is defined at no number of the real set x.
@@ -127,6 +131,13 @@ template <class F>
   const ball lower(end.get());
   x.upper(end.get());
   return hull(f(lower), f(ball(end.get())));
+}
+/// A step h of an order, a power of two: 1, or for a small z about 1/|log2 |z||, in which a power
+/// of z whose exponent is the order does not change much.
+[[nodiscard]] inline ball step_of_order(const ball& z) {
+  long step = 0;
+  for (long k = -z.magnitude_lower().log2_floor(); k > 1; k /= 2) ++step;
+  return scale(ball(1, few_bits), -step);
 }
 /// The greatest number of the set.
 [[nodiscard]] inline ball upper_end(const ball& x) {

@@ -32,7 +32,9 @@ formula zero_at_zero(known_arguments x) {
 // e^(-t^2 + 2 |y| t), which is at most sqrt(pi) e^(y^2). Its derivative is that of
 // 2 t e^(-t^2) cos(2 z t), at most that of 2 t e^(-t^2) cosh(2 y t) = 1 + sqrt(pi) |y| e^(y^2)
 // erf(|y|). dawson(z) is also z times the integral of e^(-z^2 (1 - s^2)) over 0 < s < 1 (DLMF
-// 7.2.5), where 1 - s^2 >= 1 - s: at most |z|/Re(z^2) where Re(z^2) > 0.
+// 7.2.5), where 1 - s^2 >= 1 - s: at most |z|/Re(z^2) where w = Re(z^2) > 0. As 1 - e^-z^2 is 2 z^2
+// times the integral of s e^(-z^2 (1 - s^2)), the derivative 1 - 2 z dawson(z) is e^-z^2 less 2 z^2
+// times that of (1 - s) e^(-z^2 (1 - s^2)): at most e^-w + 2 |z|^2/w^2.
 
 void value_of_erfi(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) {
   arb().acb_hypgeom_erfi(r, z, p);
@@ -104,7 +106,8 @@ bounds bounds_of_dawson(const call& x) {
   const magnitude slope = (1 + size * y * erf(y)).magnitude_upper();
   if (!certainly_positive(square_part)) return {size.magnitude_upper(), slope};
   const ball other = abs(x.z).with_precision(few_bits) / square_part;
-  return {std::min(size.magnitude_upper(), other.magnitude_upper()), slope};
+  const magnitude far = (exp(-square_part) + 2 * square(other)).magnitude_upper();
+  return {std::min(size.magnitude_upper(), other.magnitude_upper()), std::min(slope, far)};
 }
 
 // Bounds for x > 0:

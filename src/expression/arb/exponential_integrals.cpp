@@ -26,13 +26,54 @@ bounds bounds_of_expint(const call& x) {
           value_of(e, {&less, z}, few_bits).magnitude_upper()};
 }
 
-/// For n > 1 E_n decreases from 1/(n - 1) at 0.
-ball expint_from_zero(const ball* order, const ball& x) {
+/// e^z E_n(z) is the integral of e^(-z s)/(1 + s)^n over s > 0, U(1, 2 - n, z) (DLMF 13.4.4): it
+/// and its derivative, that of s e^(-z s)/(1 + s)^n, are largest, in size, at the least Re z = x.
+/// As s e^(-x s/2) <= 2/(e x), the second is at most 2/(e x) times the first at x/2.
+void value_of_scaled_expint(acb_ptr r, acb_srcptr order, acb_srcptr z, slong p) {
+  const arb_number one(complex_ball(1, few_bits));
+  const arb_number two(complex_ball(2, few_bits));
+  arb_number b;
+  arb().acb_sub(b.get(), two.get(), order, p);
+  arb().acb_hypgeom_u(r, one.get(), b.get(), z, p);
+}
+bounds bounds_of_scaled_expint(const call& x) {
+  const complex_ball z(least_of(x.z.re));
+  if (!certainly_positive(z.re)) return {};
+  const definition& e = named("expintx");
+  const ball less = *x.order - 1;
+  const complex_ball value = value_of(e, {x.order, z}, few_bits);
+  const complex_ball half(scale(z.re, -1));
+  const ball of_half = value_of(e, {x.order, half}, few_bits).re;
+  const magnitude far = (2 * of_half / (exp(ball(1, few_bits)) * z.re)).magnitude_upper();
+  const complex_ball near = value_of(e, {&less, z}, few_bits) - value;
+  return {value.magnitude_upper(), std::min(far, near.magnitude_upper())};
+}
+
+/// The derivative in n is the integral with the factor -log(1 + s), in size at most (1 + s)^h/h for
+/// any h > 0: at most the value of order n - h at the least Re z and the least n, divided by h.
+magnitude over_order_of(const char* name, const call& x) {
+  const complex_ball z(least_of(x.z.re));
+  if (!certainly_positive(z.re)) return magnitude::infinity();
+  const ball step = step_of_order(z.re);
+  const ball less = least_of(*x.order - step);
+  return (value_of(named(name), {&less, z}, few_bits).re / step).magnitude_upper();
+}
+magnitude over_order_of_expint(const call& x) { return over_order_of("expint", x); }
+magnitude over_order_of_scaled_expint(const call& x) { return over_order_of("expintx", x); }
+
+/// For n > 1 E_n, and e^x E_n, decrease from 1/(n - 1) at 0.
+ball from_value_at_zero(const char* name, const ball& order, const ball& x) {
   const precision p = x.precision();
-  const ball less = *order - 1;
+  const ball less = order - 1;
   const complex_ball upper(upper_end(x));
   if (!certainly_positive(less) || !certainly_positive(upper.re)) return ball::undefined(p);
-  return hull(1 / less, value_of(named("expint"), {order, upper}, p).re);
+  return hull(1 / less, value_of(named(name), {&order, upper}, p).re);
+}
+ball expint_from_zero(const ball* order, const ball& x) {
+  return from_value_at_zero("expint", *order, x);
+}
+ball scaled_expint_from_zero(const ball* order, const ball& x) {
+  return from_value_at_zero("expintx", *order, x);
 }
 
 /// Ei for Re z > 0; -E_1(-z) for Re z < 0, which is Ei(x) for x < 0.
@@ -84,6 +125,10 @@ majorant majorant_of_expint(const ball* order, int sign) {
   return steady(certainly_less_equal(ball(1, few_bits), *order) ? "8*exp(-x)*x^(-1/8)"
                                                                 : "exp(-x)/x");
 }
+majorant majorant_of_scaled_expint(const ball* order, int sign) {
+  if (sign < 0 || !certainly_less_equal(ball(0, few_bits), *order)) return std::nullopt;
+  return steady(certainly_less_equal(ball(1, few_bits), *order) ? "8*x^(-1/8)" : "1/x");
+}
 majorant majorant_of_ei(const ball*, int sign) {
   return steady(sign < 0 ? "8*exp(x)*(-x)^(-1/8)" : "11*exp(x)*(1+1/x)^(1/8)");
 }
@@ -96,6 +141,12 @@ leading leading_of_expint(const ball* order, int sign) {
   if (sign < 0) return not_defined();
   if (!order->is_exact() || lower_rational(*order) != 1) return std::nullopt;
   return leading_term("-log(x)", "3/5");
+}
+/// e^x <= 2 and e^x - 1 <= 2 x for 0 < x <= 1/2, and x |log x| <= 1/e < 2/5: 6/5 + 4/5.
+leading leading_of_scaled_expint(const ball* order, int sign) {
+  leading e = leading_of_expint(order, sign);
+  if (e && sign > 0) e->rest = "2";
+  return e;
 }
 leading leading_of_ei(const ball*, int sign) {
   return sign > 0 ? leading_term("log(x)", "3/2") : leading_term("log(-x)", "3/5");
@@ -116,6 +167,10 @@ leading leading_of_ci(const ball*, int sign) {
 leading expint_at_infinity(const ball* order, int sign) {
   const bool is_known = sign > 0 && certainly_less_equal(ball(0, few_bits), *order);
   return is_known ? leading_term("exp(-x)/x", "n*exp(-x)/x^2") : std::nullopt;
+}
+leading scaled_expint_at_infinity(const ball* order, int sign) {
+  const bool is_known = sign > 0 && certainly_less_equal(ball(0, few_bits), *order);
+  return is_known ? leading_term("1/x", "n/x^2") : std::nullopt;
 }
 leading ei_at_infinity(const ball*, int sign) {
   return leading_term("exp(x)/x", sign > 0 ? "2*exp(x)/x^2" : "exp(x)/x^2");
@@ -139,6 +194,7 @@ std::vector<definition> exponential_integrals() {
            .value = value_of_expint,
            .in_the_way = left_half,
            .over = bounds_of_expint,
+           .over_order = over_order_of_expint,
            .slope = "-expint(n-1,x)",
            .may_be_defined = last_is_positive,
            .is_nowhere_defined = not_positive,
@@ -147,6 +203,20 @@ std::vector<definition> exponential_integrals() {
            .is_monotonic = where_positive,
            .near_zero = leading_of_expint,
            .near_infinity = expint_at_infinity},
+          {.what = {"expintx", "n, x", "exp(x) expint(n, x)", "x > 0"},
+           .has_order = true,
+           .value = value_of_scaled_expint,
+           .in_the_way = left_half,
+           .over = bounds_of_scaled_expint,
+           .over_order = over_order_of_scaled_expint,
+           .slope = "expintx(n,x)-expintx(n-1,x)",
+           .may_be_defined = last_is_positive,
+           .is_nowhere_defined = not_positive,
+           .where_defined = scaled_expint_from_zero,
+           .bound = majorant_of_scaled_expint,
+           .is_monotonic = where_positive,
+           .near_zero = leading_of_scaled_expint,
+           .near_infinity = scaled_expint_at_infinity},
           {.what = {"Ei", "x", "exponential integral", "x != 0"},
            .value = value_of_ei,
            .in_the_way = around_zero,

@@ -185,6 +185,9 @@ detail::integrand integrand_with_changes(const expression& f, int changes) {
   result.with_limits = [f](const end_point& a, const end_point& b) {
     return detail::parts_with_limits(f, a, b);
   };
+  result.scaled = [f](const end_point& a, const end_point& b) {
+    return detail::parts_with_scaled_functions(f, a, b);
+  };
   result.candidates = [f](const end_point& a, const end_point& b) {
     std::vector<end_point> points;
     if (f.variables().size() != 1) return points;

@@ -89,6 +89,9 @@ struct integrand {
   /// or of the same function by exponentials that decay, for an integrand with a tail that is not
   /// understood as it stands. May be empty.
   std::function<std::vector<part>(const end_point& a, const end_point& b)> with_limits;
+  /// The same over an infinite range: over parts of it, beyond some point of the same function by
+  /// scaled functions. May be empty.
+  std::function<std::vector<part>(const end_point& a, const end_point& b)> scaled;
   /// Numbers at which it may be of interest to cut the range: candidates. May be empty.
   std::function<std::vector<end_point>(const end_point& a, const end_point& b)> candidates;
   /// f(x) |dx/ds| with x = end + side e^-s at a finite end, x = side e^s at an infinite one, in

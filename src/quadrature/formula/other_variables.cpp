@@ -113,16 +113,24 @@ std::vector<part> parts_in_tangent(const expression& f, const end_point& a, cons
 
 namespace {
 
-/// From a point to infinity on this side; false where f is no such function there.
-bool add_beyond(std::vector<part>& parts, const expression& f, const end_point& from, int side) {
+/// The functions whose sum f is for large x.
+using terms_far_out = std::vector<expression> (*)(const expression& f);
+
+std::vector<expression> limits_of(const expression& f) {
+  if (const auto apart = f.by_steady_factor()) return {apart->limit, apart->rest};
+  if (const auto same = f.with_decaying_exponentials()) return {*same};
+  return {};
+}
+std::vector<expression> scaled(const expression& f) {
+  const auto same = f.with_scaled_functions();
+  return same ? std::vector{*same} : std::vector<expression>();
+}
+
+/// From a point to infinity on this side; false where there are no such terms.
+bool add_beyond(std::vector<part>& parts, const expression& f, const end_point& from, int side,
+                terms_far_out terms) {
   const symbol x = symbol::variable(0);
-  const expression to_the_right = side > 0 ? f : expression(f(-x), f.names());
-  std::vector<expression> beyond;
-  if (const auto apart = to_the_right.by_steady_factor()) {
-    beyond = {apart->limit, apart->rest};
-  } else if (const auto same = to_the_right.with_decaying_exponentials()) {
-    beyond = {*same};
-  }
+  const std::vector<expression> beyond = terms(side > 0 ? f : expression(f(-x), f.names()));
   const ball distance = side > 0 ? from.at(64) : -from.at(64);
   if (beyond.empty() || !distance.is_bounded()) return false;
   const rational c = floor_of(std::max<rational>(upper_rational(distance), 0)) + 1;
@@ -136,14 +144,26 @@ bool add_beyond(std::vector<part>& parts, const expression& f, const end_point& 
 
 }  // namespace
 
-std::vector<part> parts_with_limits(const expression& f, const end_point& a, const end_point& b) {
+namespace {
+std::vector<part> parts_beyond(const expression& f, const end_point& a, const end_point& b,
+                               terms_far_out terms) {
   std::vector<part> parts;
   if (f.variables().size() != 1) return parts;
   const bool both = a.infinite_sign() < 0 && b.infinite_sign() > 0;
   const bool is_found =
-      (a.infinite_sign() == 0 || add_beyond(parts, f, both ? end_point(0) : b, -1)) &&
-      (b.infinite_sign() == 0 || add_beyond(parts, f, both ? end_point(0) : a, 1));
+      (a.infinite_sign() == 0 || add_beyond(parts, f, both ? end_point(0) : b, -1, terms)) &&
+      (b.infinite_sign() == 0 || add_beyond(parts, f, both ? end_point(0) : a, 1, terms));
   return is_found ? parts : std::vector<part>();
+}
+}  // namespace
+
+std::vector<part> parts_with_limits(const expression& f, const end_point& a, const end_point& b) {
+  return parts_beyond(f, a, b, limits_of);
+}
+
+std::vector<part> parts_with_scaled_functions(const expression& f, const end_point& a,
+                                              const end_point& b) {
+  return parts_beyond(f, a, b, scaled);
 }
 
 }  // namespace polhode::detail

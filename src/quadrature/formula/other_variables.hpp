@@ -28,4 +28,9 @@ namespace polhode::detail {
 [[nodiscard]] std::vector<part> parts_with_limits(const expression& f, const end_point& a,
                                                   const end_point& b);
 
+/// The integral of f over an infinite [a, b] as that over a finite part, and beyond it that of the
+/// same function by scaled ones (expression::with_scaled_functions). None for other formulas.
+[[nodiscard]] std::vector<part> parts_with_scaled_functions(const expression& f, const end_point& a,
+                                                            const end_point& b);
+
 }  // namespace polhode::detail

@@ -48,6 +48,7 @@ integrand with_branches(const std::shared_ptr<const formula_graph>& f, const int
   result.under = nullptr;
   result.pieces = nullptr;
   result.with_limits = nullptr;
+  result.scaled = nullptr;
 
   result.in_exponential = nullptr;
   result.antiderivative = nullptr;
