@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/symbol.hpp"
 #include "polhode/roots/systems.hpp"
+#include "polynomial/common_zeros.hpp"
 #include "polynomial/elimination.hpp"
 #include "tiling.hpp"
 
@@ -401,7 +403,7 @@ void system_search::run(const system_options& options) {
 
 bool system_root_set::is_resolved() const {
   return complete && std::all_of(regions.begin(), regions.end(), [](const system_region& r) {
-           return r.verdict == root_verdict::unique && !r.may_lie_outside;
+           return is_one_root(r.verdict) && !r.may_lie_outside;
          });
 }
 
@@ -440,29 +442,85 @@ place place_of(const std::vector<T>& x, const system_box& box) {
   return r;
 }
 
-/// The root of a unique region where it is a point of short rational numbers: a zero of each
-/// formula by exact rules, it is the only one in the region.
-std::optional<std::vector<rational>> exact_root(const real_system& f, const system_region& r) {
-  if (r.verdict != root_verdict::unique) return std::nullopt;
-  constexpr long digits = 30;
+/// A root in the box: a point of short rational numbers, at which each formula is 0 by exact rules.
+std::optional<std::vector<rational>> exact_zero(const real_system& f, const vector& box) {
   const integer longest = integer(1) << 24U;  // denominator
   std::vector<rational> root;
   std::vector<symbol> point;
-  for (const ball& x : refine(f, r, digits).enclosure) {
+  for (const ball& x : box) {
     if (!x.is_bounded()) return std::nullopt;
     const rational q = simplest_between(lower_rational(x), upper_rational(x));
     if (denominator(q) > longest) return std::nullopt;
     root.push_back(q);
     point.emplace_back(q);
   }
-  for (const expression& component : f.components()) {
-    const expression value(component.evaluate(std::span<const symbol>(point)), component.names());
-    if (value.rational_value() != rational(0)) return std::nullopt;
+  try {
+    for (const expression& component : f.components()) {
+      const expression value(component.evaluate(std::span<const symbol>(point)), component.names());
+      if (value.rational_value() != rational(0)) return std::nullopt;
+    }
+  } catch (const input_error&) {
+    return std::nullopt;  // one is not defined there
   }
   return root;
 }
 
+/// The root of a unique region where it is such a point: it is the only one in the region.
+std::optional<std::vector<rational>> exact_root(const real_system& f, const system_region& r) {
+  if (r.verdict != root_verdict::unique) return std::nullopt;
+  constexpr long digits = 30;
+  return exact_zero(f, refine(f, r, digits).enclosure);
+}
+
+/// Whether the point lies in the given box; nullopt where that is not decided.
+std::optional<bool> is_in(detail::algebraic_point& x, const system_box& box) {
+  bool is_decided = true;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const std::optional<bool> is_inside = x[i].is_in({box[i].first, box[i].second});
+    if (is_inside == false) return false;
+    is_decided = is_decided && is_inside;
+  }
+  return is_decided ? std::optional(true) : std::nullopt;
+}
+
 }  // namespace
+
+/// A region for each solution in an open box, which is no root that was found before; nullopt where
+/// they are not known.
+std::optional<std::vector<system_region>> system_search::regions_of(detail::common_zeros& zeros,
+                                                                    const vector& box) const {
+  auto solutions = zeros.in(box);
+  if (!solutions) return std::nullopt;
+  constexpr precision most_bits = 4096;
+  for (precision p = 128; p <= most_bits; p *= 2) {
+    std::vector<system_region> result;
+    bool is_told_apart = true;
+    for (auto& [verdict, at] : *solutions) {
+      system_region r;
+      r.verdict = verdict;
+      r.enclosure = detail::enclosure_of(at, p);
+      r.box = solutions->size() == 1 ? box : r.enclosure;
+      const auto is_near = [&](const system_region& other) {
+        return all_overlap(other.box, r.enclosure);
+      };
+      const auto is_other = [&](const system_region& other) {
+        return holds(other.box, r.enclosure);
+      };
+      // The one root of a region is simple.
+      if (verdict == root_verdict::unique && std::ranges::any_of(found_, is_other)) continue;
+      const bool is_apart =
+          (verdict == root_verdict::multiple || std::ranges::none_of(found_, is_near)) &&
+          (solutions->size() == 1 || std::ranges::none_of(result, is_near));
+      is_told_apart = is_told_apart && is_apart;
+      const std::optional<bool> is_inside = is_in(at, range_);
+      if (is_inside == false) continue;
+      r.may_lie_outside = !is_inside;
+      result.push_back(std::move(r));
+    }
+    if (is_told_apart) return result;
+  }
+  return std::nullopt;
+}
 
 system_root_set system_search::result() const {
   std::vector<int> open_halvings;
@@ -518,11 +576,22 @@ system_root_set system_search::result() const {
              "an open box is in no region");
     }
   }
+  std::optional<detail::common_zeros> zeros;
+  if (!open.empty() && result.complete) zeros.emplace(f_.components());
   for (vector& x : open) {
+    if (is_bounded(x) && zeros) {
+      if (auto solved = regions_of(*zeros, x)) {
+        std::ranges::move(*solved, std::back_inserter(result.regions));
+        continue;
+      }
+    }
     system_region r;
     r.box = r.enclosure = std::move(x);
     if (!is_bounded(r.box)) {
       r.remark = "the roots have no proved bound";
+    } else if (result.complete && exact_zero(f_, r.box)) {
+      r.verdict = root_verdict::at_least_one;
+      r.remark = "there is a root, exactly; others may be near";
     } else {
       r.remark = result.complete ? "not resolved by halving" : limit_;
     }

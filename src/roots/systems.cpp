@@ -12,6 +12,7 @@
 
 #include "boxes.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polynomial/common_zeros.hpp"
 
 namespace polhode {
 namespace {
@@ -134,8 +135,15 @@ refined_system_root refine(const real_system& f, const system_region& region, lo
   if (digits < 1) throw std::invalid_argument("refine: at least one digit must be asked for");
   refined_system_root r;
   r.enclosure = region.enclosure;
-  if (region.verdict != root_verdict::unique) return r;
   const precision goal = bits_for_digits(digits) + 8;
+  if (region.verdict == root_verdict::multiple) {
+    auto found = detail::common_zeros(f.components()).in(region.box);
+    if (!found || found->size() != 1) return r;
+    r.enclosure = detail::enclosure_of(found->front().at, goal);
+    r.verdict = status::certified;
+    return r;
+  }
+  if (region.verdict != root_verdict::unique) return r;
   const auto bits_of = [&](const vector& x) {  // how narrow the widest component is beside its size
     std::int64_t least = goal;
     for (std::size_t i = 0; i < x.size(); ++i) {

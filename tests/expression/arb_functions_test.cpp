@@ -158,7 +158,8 @@ TEST_F(ArbFunctions, OverSetsHoldTheirValuesAtPoints) {
     for (support::repeat trial(100); trial.again();) {
       const rational re = random.one_in(2) ? scattered(6) : rational(-scattered(6));
       const rational im = random.one_in(3) ? rational(0) : between(-8, 8);
-      const rational half = scattered(random.between(-8, 3)) / 4;
+      const rational half = random.one_in(5) ? rational(abs(re) * random.between(1, 7) / 8)
+                                             : rational(scattered(random.between(-8, 3)) / 4);
       const rational height = im == 0 ? rational(0) : half * between(0, 2);
       const auto set = [](const rational& x, const rational& r) {
         return from_end_points(rational(x - r), rational(x + r), p);
@@ -304,6 +305,16 @@ TEST_F(ArbFunctions, LieBelowTheirMajorants) {
               .evaluator<ball>(p)(std::span<const ball>(arguments));
       EXPECT_TRUE(most.is_bounded());
       EXPECT_FALSE(certainly_less(most, abs(f.value(arguments)))) << nu << " " << x;
+    }
+  }
+  // Near 0, where those of order 1 grow.
+  for (const char* name : {"expint", "expintx"}) {
+    const ball one(1, p);
+    const auto bound = parse(named(name).majorant(std::array{one}, 1)->text, {"x"});
+    for (long k = 1; k <= 60; ++k) {
+      const ball x = scale(one, -k);
+      EXPECT_FALSE(
+          certainly_less(bound.evaluator<ball>(p)(x), named(name).value(std::array{one, x})));
     }
   }
   // Attained: K of order n + 1/2 is its majorant; |J_0| at 0, Si at pi nearly.

@@ -16,6 +16,11 @@
 // on a wider box, which is then taken out, so that a root on a face of boxes is found once. The
 // result is made only where the boxes, settled and open, are proved to be the whole box, each part
 // once; otherwise std::logic_error is thrown: a fault of the library.
+//
+// Krawczyk's operator proves no multiple roots. Those of polynomials with rational coefficients are
+// proved by elimination: the coordinates of a root are roots of polynomials of one variable each,
+// and whether the equations, and the determinant of their derivatives, are 0 at such a point is
+// decided exactly.
 
 #include <functional>
 #include <optional>
@@ -31,6 +36,10 @@
 #include "polhode/roots/newton.hpp"
 
 namespace polhode {
+
+namespace detail {
+class common_zeros;
+}
 
 /// The sides of a box, one for each variable: from a lower to an upper end, infinite where there is
 /// none.
@@ -84,7 +93,7 @@ struct krawczyk_step {
 };
 [[nodiscard]] krawczyk_step krawczyk(const real_system& f, const std::vector<ball>& x, precision p);
 
-/// What is known of the roots in one part of the box: unique or unresolved.
+/// What is known of the roots in one part of the box: unique, multiple, at_least_one or unresolved.
 struct system_region {
   root_verdict verdict = root_verdict::unresolved;
   std::vector<ball> box;        // what the verdict is about
@@ -132,6 +141,8 @@ class system_search {
 
  private:
   friend class system_searcher;
+  [[nodiscard]] std::optional<std::vector<system_region>> regions_of(
+      detail::common_zeros& zeros, const std::vector<ball>& box) const;
   struct waiting {
     std::vector<ball> x;
     int halvings = 0;
@@ -167,7 +178,8 @@ struct refined_system_root {
   int evaluations_of_jacobian = 0;
 };
 
-/// The root of a unique region to `digits` digits by Krawczyk's method, with f(m) at the precision
+/// The root of a region with one root to `digits` digits: a multiple one by its coordinates'
+/// polynomials, another by Krawczyk's method, with f(m) at the precision
 /// of each step and the Jacobian and its inverse at half of it; the precision doubles from step to
 /// step.
 [[nodiscard]] refined_system_root refine(const real_system& f, const system_region& region,

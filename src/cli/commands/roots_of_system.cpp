@@ -110,7 +110,7 @@ system_answer find_roots(const system_given& given, long digits, double seconds)
   for (const system_region& r : a.roots.regions) {
     a.enclosures.push_back(r.enclosure);
     bool certified = false;
-    if (r.verdict == root_verdict::unique) {
+    if (is_one_root(r.verdict)) {
       // One digit more, so that the last one is not in doubt.
       refined_system_root fine = refine(system, r, digits + 1);
       certified = fine.verdict == status::certified && !r.may_lie_outside;
@@ -153,7 +153,7 @@ std::string as_text(const system_given& given, const system_answer& a, long digi
     for (std::size_t j = 0; j < given.variables.size(); ++j) {
       result +=
           fmt::format("{}{} = {}", j == 0 ? "" : ", ", given.variables[j],
-                      part_text(a.enclosures[i][j], r.verdict == root_verdict::unique, digits));
+                      part_text(a.enclosures[i][j], is_one_root(r.verdict), digits));
     }
     const std::string remark = remark_on(r);
     result +=

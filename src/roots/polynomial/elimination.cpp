@@ -125,6 +125,51 @@ std::vector<rational> coefficients_of(const polynomial& p, long degree) {
   return result;
 }
 
+/// Of a formula in as many variables as it has.
+std::optional<polynomial> polynomial_of(const expression& f, budget& work) {
+  std::vector<symbol> variables;
+  const std::size_t n = f.variables().size();
+  for (std::size_t i = 0; i < n; ++i) variables.push_back(symbol::variable(i));
+  return polynomial_of(f.evaluate(std::span<const symbol>(variables)), n, work);
+}
+expression formula_of(const polynomial& p, const expression_names& names) {
+  symbol sum(rational(0));
+  for (const auto& [e, c] : p) {
+    symbol term(c);
+    for (std::size_t i = 0; i < e.size(); ++i) {
+      if (e[i] != 0) term = term * pow(symbol::variable(i), e[i]);
+    }
+    sum = sum + term;
+  }
+  return expression(sum, names);
+}
+
+polynomial derivative(const polynomial& p, std::size_t variable) {
+  polynomial result;
+  for (const auto& [e, c] : p) {
+    exponents lower = e;
+    if (lower[variable]-- == 0) continue;
+    add_term(result, lower, c * e[variable]);
+  }
+  return result;
+}
+/// By the first row.
+polynomial determinant(const std::vector<std::vector<polynomial>>& rows, budget& work) {
+  if (rows.size() == 1) return rows[0][0];
+  polynomial result;
+  for (std::size_t j = 0; j < rows.size(); ++j) {
+    std::vector<std::vector<polynomial>> minor;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      std::vector<polynomial>& row = minor.emplace_back(rows[i]);
+      row.erase(row.begin() + static_cast<std::ptrdiff_t>(j));
+    }
+    work.spend(1);
+    result = sum(std::move(result), product(rows[0][j], determinant(minor, work), work),
+                 j % 2 == 0 ? 1 : -1);
+  }
+  return result;
+}
+
 /// The determinant of Sylvester's matrix of two polynomials of one variable, as of degrees m and n:
 /// by Euclid's algorithm. Its first column has the leading coefficients f_m and g_n; where one is 0
 /// it is developed by the other. Else, with f = q g + r, rows of g times q are taken from those of
@@ -242,13 +287,11 @@ rational_polynomial eliminant(std::vector<polynomial> f, budget& work) {
 std::vector<std::optional<rational_polynomial>> eliminants(std::span<const expression> components) {
   const std::size_t n = components.size();
   std::vector<std::optional<rational_polynomial>> result(n);
-  std::vector<symbol> variables;
-  for (std::size_t i = 0; i < n; ++i) variables.push_back(symbol::variable(i));
   std::vector<polynomial> f;
   try {
     budget work;
     for (const expression& component : components) {
-      auto p = polynomial_of(component.evaluate(std::span<const symbol>(variables)), n, work);
+      auto p = polynomial_of(component, work);
       if (!p) return result;
       for (std::size_t i = 0; i < n; ++i) {
         if (degree_in(*p, i) > most_degree) return result;
@@ -277,6 +320,53 @@ std::vector<std::optional<rational_polynomial>> eliminants(std::span<const expre
     }
   }
   return result;
+}
+
+std::optional<rational_polynomial> eliminant_of_values(const expression& g,
+                                                       std::span<const rational_polynomial> p) {
+  try {
+    budget work;
+    const auto of_x = polynomial_of(g, work);
+    if (!of_x) return std::nullopt;
+    std::vector<polynomial> f;  // in t, x
+    polynomial& first = f.emplace_back();
+    for (const auto& [e, c] : *of_x) {
+      exponents shifted{0};
+      shifted.insert(shifted.end(), e.begin(), e.end());
+      first.emplace(std::move(shifted), -c);
+    }
+    exponents of_t(p.size() + 1, 0);
+    of_t[0] = 1;
+    add_term(first, of_t, 1);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      polynomial& q = f.emplace_back();
+      exponents e(p.size() + 1, 0);
+      for (const rational& c : p[i].coefficients()) {
+        add_term(q, e, c);
+        ++e[i + 1];
+      }
+    }
+    rational_polynomial result = eliminant(std::move(f), work);
+    return result.is_zero() ? std::nullopt : std::optional(std::move(result));
+  } catch (const too_many&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<expression> jacobian_determinant(std::span<const expression> components) {
+  try {
+    budget work;
+    std::vector<std::vector<polynomial>> rows;
+    for (const expression& component : components) {
+      const auto p = polynomial_of(component, work);
+      if (!p) return std::nullopt;
+      std::vector<polynomial>& row = rows.emplace_back();
+      for (std::size_t j = 0; j < components.size(); ++j) row.push_back(derivative(*p, j));
+    }
+    return formula_of(determinant(rows, work), components.front().names());
+  } catch (const too_many&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace polhode::detail

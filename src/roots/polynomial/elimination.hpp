@@ -24,4 +24,14 @@ namespace polhode::detail {
 [[nodiscard]] std::vector<std::optional<rational_polynomial>> eliminants(
     std::span<const expression> components);
 
+/// A polynomial, not 0, that is 0 at g(x) for every x with p_i(x_i) = 0: the eliminant of t - g(x)
+/// and the p_i. None as above. Hypothesis: no p_i is 0.
+[[nodiscard]] std::optional<rational_polynomial> eliminant_of_values(
+    const expression& g, std::span<const rational_polynomial> p);
+
+/// The determinant of the derivatives of the components by the variables. None where one is no
+/// polynomial with rational coefficients, and where it is long.
+[[nodiscard]] std::optional<expression> jacobian_determinant(
+    std::span<const expression> components);
+
 }  // namespace polhode::detail
