@@ -333,7 +333,7 @@ std::optional<rational_polynomial> eliminant_of_values(const expression& g,
     for (const auto& [e, c] : *of_x) {
       exponents shifted{0};
       shifted.insert(shifted.end(), e.begin(), e.end());
-      first.emplace(std::move(shifted), -c / 1024);
+      first.emplace(std::move(shifted), -c);
     }
     exponents of_t(p.size() + 1, 0);
     of_t[0] = 1;
