@@ -556,6 +556,19 @@ system_root_set system_search::result() const {
       if (!known) open.push_back(b.x);
     }
   }
+  // Where the search has not ended, all that is left may be solved at once.
+  std::optional<detail::common_zeros> zeros;
+  if (!open.empty()) zeros.emplace(f_.components());
+  if (!result.complete && !open.empty()) {
+    vector all = open.front();
+    for (const vector& x : open) all = joined(all, x);
+    if (auto solved = is_bounded(all) ? regions_of(*zeros, all) : std::nullopt) {
+      std::ranges::move(*solved, std::back_inserter(result.regions));
+      result.complete = true;
+      open = {all};
+    }
+  }
+  const bool is_solved = result.complete && !pending_.empty();
   for (std::size_t i = 0; i < open.size(); ++i) {
     for (std::size_t j = i + 1; j < open.size();) {
       if (!all_overlap(open[i], open[j])) {
@@ -576,10 +589,9 @@ system_root_set system_search::result() const {
              "an open box is in no region");
     }
   }
-  std::optional<detail::common_zeros> zeros;
-  if (!open.empty() && result.complete) zeros.emplace(f_.components());
+  if (is_solved) open.clear();
   for (vector& x : open) {
-    if (is_bounded(x) && zeros) {
+    if (is_bounded(x) && result.complete) {
       if (auto solved = regions_of(*zeros, x)) {
         std::ranges::move(*solved, std::back_inserter(result.regions));
         continue;
@@ -606,7 +618,17 @@ system_root_set system_search::result() const {
 
 system_root_set solve_system(const real_system& f, system_box box, const system_options& options) {
   system_search s(f, std::move(box));
-  s.run(options);
+  // After some boxes elimination may solve what is left.
+  constexpr long many = 20'000;
+  system_options first = options;
+  first.most_boxes = std::min(options.most_boxes, many);
+  s.run(first);
+  system_root_set found = s.result();
+  const bool has_met_limit = found.account.boxes >= many && options.most_boxes > many;
+  if (found.complete || !has_met_limit) return found;
+  system_options rest = options;
+  rest.most_boxes -= many;
+  s.run(rest);
   return s.result();
 }
 

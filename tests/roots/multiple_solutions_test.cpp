@@ -79,6 +79,26 @@ TEST(MultipleSolutions, OnFacesAreInTheBoxOrNot) {
   EXPECT_EQ(count(0, 1), 1U);
   EXPECT_EQ(count(1, 2), 1U);
   EXPECT_EQ(count(rational(1, 2), rational(999'999, 1'000'000)), 0U);
+  const rational tiny(integer(1), integer(integer(1) << 100U));
+  EXPECT_EQ(count(0, rational(1 - tiny)), 0U);
+  EXPECT_EQ(count(rational(1 + tiny), 2), 0U);
+}
+
+TEST(MultipleSolutions, ThatAreNearEachOtherHaveRegionsOfTheirOwn) {
+  const system_root_set s = solved({"x^2+y^2-2", "x+y-2+1e-90"});
+  ASSERT_EQ(s.regions.size(), 2U);
+  EXPECT_TRUE(s.is_resolved());
+  EXPECT_FALSE(overlaps(s.regions[0].box[0], s.regions[1].box[0]));
+}
+
+/// Where a curve of boxes would take millions.
+TEST(MultipleSolutions, AreFoundWhereHalvingTakesLong) {
+  const auto texts = {"x+y+z-3", "x*y+y*z+z*x-3", "x*y*z-1"};
+  const system_root_set s = solved({texts.begin(), texts.end()}, 5);
+  EXPECT_TRUE(s.is_resolved());
+  ASSERT_EQ(s.regions.size(), 1U);
+  EXPECT_EQ(s.regions[0].verdict, root_verdict::multiple);
+  EXPECT_LT(s.account.boxes, 100'000);
 }
 
 TEST(MultipleSolutions, OfOtherEquationsAreNotProvedToBeAlone) {
@@ -118,6 +138,19 @@ TEST(MultipleSolutions, ZerosAtAlgebraicPointsAreDecided) {
   EXPECT_EQ(is_zero("x-2", {real_algebraic(rational(2)), three, sum}), true);
   EXPECT_EQ(is_zero("x-y", {real_algebraic(rational(2)), real_algebraic(rational(5, 2)), sum}),
             false);
+}
+
+/// x - q for numbers q below sqrt 2 by about 2^-k: the least size of x - q, by its eliminant, is
+/// nearly attained.
+TEST(MultipleSolutions, ValuesThatAreSmallAreNotZero) {
+  const detail::real_algebraic two({-2, 0, 1}, {rational(1), rational(2)});
+  const ball root = sqrt(ball(2, 600));
+  for (unsigned k = 40; k <= 300; ++k) {
+    const integer n = floor_of(lower_rational(scale(root, static_cast<long>(k))));
+    const rational q(n, integer(integer(1) << k));
+    detail::algebraic_point x{two};
+    EXPECT_EQ(detail::is_zero_at(parse("x-" + q.str(), {"x"}), x), false) << k;
+  }
 }
 
 TEST(MultipleSolutions, AlgebraicNumbersLieInIntervals) {

@@ -106,7 +106,7 @@ struct system_region {
 struct system_root_set {
   /// In ascending order of the first component, then the second, ...
   std::vector<system_region> regions;
-  bool complete = true;  // no limit was reached
+  bool complete = true;  // no limit was reached, or what it left was solved by elimination
   isolation_account account;
 
   [[nodiscard]] bool is_resolved() const;
