@@ -344,7 +344,26 @@ integral_case error_integral(maker& m) {
   };
   const term whole = k * x;
   const term phase = term("pi") * whole * whole / 2;
-  switch (m.between(0, 18)) {
+  switch (m.between(0, 20)) {
+    case 19: {  // of gamma less its pole r/x at -j, which leaves r psi(j + 1)
+      const long j = m.between(0, 3);
+      const term r = (j % 2 == 0 ? term(1) : term(-1)) / call("factorial", j);
+      const term u = x - j;
+      c.integrand = call("gamma", u) * call("digamma", u) + r / power(x, 2);
+      c.from = 0;
+      c.to = m.between(1, 9) / term(10);
+      c.value = substituted(call("gamma", u) - r / x, "x", c.to) - r * call("digamma", j + 1);
+      return c;
+    }
+    case 20: {  // of log_gamma(j + x)/x, which is psi(j) at 0
+      const long j = m.between(1, 2);
+      const term quotient = call("log_gamma", j + x) / x;
+      c.integrand = (call("digamma", j + x) - quotient) / x;
+      c.from = 0;
+      c.to = m.between(1, 19) / term(10);
+      c.value = substituted(quotient, "x", c.to) - call("digamma", j);
+      return c;
+    }
     case 14:
       less_limit("Si", t, term("pi") / 2, call("cos", t));
       break;

@@ -149,6 +149,23 @@ TEST_F(ArbFunctions, AreTiedByIdentities) {
   EXPECT_LE(value("airyAi(40)", 300).radius(), magnitude::power_of_two(-500));
 }
 
+TEST_F(ArbFunctions, HaveTheirKnownValues) {
+  for (long k = 1; k <= 60; ++k) {
+    const rational half(k, 2);
+    const ball psi = named("digamma").value(std::array{ball(half, 200)});
+    EXPECT_TRUE(overlaps(value("digamma(" + half.str() + ")"), psi)) << half;
+    const long n = random.between(1, 20);
+    const long m = random.between(1, 20);
+    const ball exact = named("polygamma").value(std::array{ball(n, 200), ball(m, 200)});
+    const std::string text = "polygamma(" + std::to_string(n) + "," + std::to_string(m) + ")";
+    EXPECT_TRUE(overlaps(value(text), exact)) << text;
+  }
+  EXPECT_EQ(parse("digamma(1)+euler_gamma", {}).rational_value(), rational(0));
+  EXPECT_EQ(parse("digamma(5/2)+euler_gamma+2*log(2)", {}).rational_value(), rational(8, 3));
+  EXPECT_EQ(parse("polygamma(1,3)-pi^2/6", {}).rational_value(), rational(-5, 4));
+  EXPECT_EQ(parse("polygamma(2,1)+2*zeta(3)", {}).rational_value(), rational(0));
+}
+
 /// Holds z: what is known at points inside a set is not outside the value over the set.
 TEST_F(ArbFunctions, OverSetsHoldTheirValuesAtPoints) {
   const precision p = 128;

@@ -99,6 +99,11 @@ TEST(TurningPoints, OfSpecialFunctions) {
       {"polygamma(2,x)", "1", "inf", "-pi^2/6"},
       // Where what cancels their poles, or is 0 there, stands beside them.
       {"digamma(x)+1/x", "0", "1/2", "log(sqrt(pi)/2)"},
+      {"gamma(x)*digamma(x)+1/x^2", "0", "1", "euler_gamma"},
+      {"gamma(x)*digamma(x)-1/(x+1)^2", "-1", "-1/2", "3-2*sqrt(pi)-euler_gamma"},
+      {"(digamma(1+x)-log_gamma(1+x)/x)/x", "0", "1", "euler_gamma"},
+      {"(digamma(1-x)+log_gamma(1-x)/x)/x", "0", "1/2", "euler_gamma-log(pi)"},
+      {"gamma(x)*((digamma(x)+1/x)*x-1)/x+1/x^2", "0", "1", "euler_gamma"},
       {"polygamma(1,x)-1/x^2", "0", "1", "1"},
       {"polygamma(3,sin(x))*cos(x)-6*cos(x)/sin(x)^4", "0", "pi/2",
        "polygamma(2,2)-polygamma(2,1)"},

@@ -413,6 +413,23 @@ formula polygamma_at_pole(const ball* order, long k) {
   return text;
 }
 
+/// At whole numbers by the value at 1, (-1)^(n+1) n! zeta(n + 1), and the difference (-1)^n
+/// n!/x^(n+1) of the values at x + 1 and at x (DLMF 5.15.2, 5.15.5).
+formula simpler_polygamma(known_arguments x) {
+  if (is_exactly(x[0], 0)) return "digamma(x)";
+  constexpr long most = 20;
+  for (const auto& t : x) {
+    if (!is_number(t) || denominator(t->q) != 1 || t->q <= 0 || t->q > most) return std::nullopt;
+  }
+  const auto n = static_cast<long>(numerator(x[0]->q));
+  rational sum = 0;
+  for (long k = 1; k < x[1]->q; ++k) {
+    sum += rational(1, integer(pow(integer(k), static_cast<unsigned>(n + 1))));
+  }
+  return fmt::format("{}{}*(zeta({})-{})", n % 2 == 0 ? "-" : "", factorial_text(n), n + 1,
+                     sum.str());
+}
+
 }  // namespace
 
 std::vector<definition> error_functions() {
@@ -520,10 +537,7 @@ std::vector<definition> error_functions() {
        .over = bounds_of_polygamma,
        .slope = "polygamma(n+1,x)",
        .may_be_defined = may_be_polygamma,
-       .simpler =
-           [](known_arguments x) {
-             return is_exactly(x[0], 0) ? formula("digamma(x)") : std::nullopt;
-           },
+       .simpler = simpler_polygamma,
        .bound = majorant_of_polygamma,
        .is_monotonic = where_positive,
        .near_zero = leading_of_polygamma,

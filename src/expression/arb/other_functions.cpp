@@ -341,6 +341,18 @@ further_function digamma_function() {
   result.gradient = [](std::span<const ball> x) { return std::vector{trigamma(x[0])}; };
   result.slope = "polygamma(1,x)";
   result.may_be_defined = has_digamma;
+  // At half-integers by the values at 1 and 1/2 and psi(x + 1) = psi(x) + 1/x (DLMF 5.4.12, 5.4.13,
+  // 5.5.2).
+  result.simpler = [](known_arguments x) -> formula {
+    constexpr long most = 50;
+    if (!is_number(x[0]) || x[0]->q <= 0 || x[0]->q > most) return std::nullopt;
+    const rational q = x[0]->q;
+    if (denominator(q) > 2) return std::nullopt;
+    const bool is_whole = denominator(q) == 1;
+    rational sum = 0;
+    for (rational k = is_whole ? rational(1) : rational(1, 2); k < q; k += 1) sum += 1 / k;
+    return fmt::format("{}-euler_gamma{}", sum.str(), is_whole ? "" : "-2*log(2)");
+  };
   result.over_regions = [](std::span<const region> x) { return digamma(x[0]); };
   static const definition of_complex{
       .what = result.what,

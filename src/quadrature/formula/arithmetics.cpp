@@ -127,6 +127,30 @@ template <>
 struct supplement<end_series> : series_supplement<end_series> {
   static end_series expm1(const end_series& x) { return exp(x) - 1; }
   static end_series log1p(const end_series& x) { return log(x + 1); }
+  /// By its derivative; where x tends to -k by Gamma(x) = Gamma(x + k + 1)/(x (x+1) ... (x+k)).
+  static end_series gamma(const end_series& x) {
+    if (x.is_blocked() || !has_digamma()) return x.is_blocked() ? x : end_series::blocked("gamma");
+    const std::optional<long> pole = pole_of_gamma(x);
+    if (!pole) {
+      static const further_function by_slope =
+          of_gamma("gamma", "gamma(x)*digamma(x)", [](const auto& t) { return polhode::gamma(t); });
+      return of_derivative(by_slope, {}, x);
+    }
+    end_series product = x;
+    for (long k = 1; k <= *pole; ++k) product = product * (x + k);
+    return gamma(x + (*pole + 1)) / product;
+  }
+  /// By its derivative; where x tends to 0 by log Gamma(x) = log Gamma(x + 1) - log x.
+  static end_series log_gamma(const end_series& x) {
+    if (x.is_blocked() || !has_digamma()) {
+      return x.is_blocked() ? x : end_series::blocked("log_gamma");
+    }
+    const std::optional<long> pole = pole_of_gamma(x);
+    if (pole) return *pole == 0 ? log_gamma(x + 1) - log(x) : end_series::blocked("log_gamma");
+    static const further_function by_slope =
+        of_gamma("log_gamma", "digamma(x)", [](const auto& t) { return polhode::log_gamma(t); });
+    return of_derivative(by_slope, {}, x);
+  }
   /// Of a function that has a formula for its derivative, with rational constants for its first
   /// arguments.
   template <class F, class Range>
@@ -150,18 +174,35 @@ struct supplement<end_series> : series_supplement<end_series> {
   }
 
  private:
+  static bool has_digamma() { return !arb_functions()->empty(); }
+  /// A function of the table, as one with a formula for its derivative.
+  template <class F>
+  static further_function of_gamma(const char* name, const char* slope, const F& f) {
+    further_function result;
+    result.what = {name, "x", "", ""};
+    result.slope = slope;
+    result.value = [f](std::span<const ball> x) { return f(x[0]); };
+    result.over_regions = [f](std::span<const region> x) { return f(x[0]); };
+    return result;
+  }
+  /// k where x tends to -k, of few.
+  static std::optional<long> pole_of_gamma(const end_series& x) {
+    constexpr long most = 50;
+    const auto start = x.tends_to_0() ? std::optional(0L) : x.exact_value_at_0();
+    if (!start || *start > 0 || *start < -most) return std::nullopt;
+    return -*start;
+  }
   /// Where the last argument tends to a pole of f.
   static std::optional<end_series> at_pole(const further_function& f,
                                            const std::vector<rational>& first,
                                            const std::vector<end_series>& x) {
-    constexpr long most = 50;
     if (!f.at_pole) return std::nullopt;
-    const auto start = x.back().tends_to_0() ? std::optional(0L) : x.back().exact_value_at_0();
-    if (!start || *start > 0 || *start < -most) return std::nullopt;
+    const std::optional<long> pole = pole_of_gamma(x.back());
+    if (!pole) return std::nullopt;
     std::vector<ball> orders;
     orders.reserve(first.size());
     for (const rational& q : first) orders.emplace_back(q, 192);
-    const auto text = f.at_pole(orders, -*start);
+    const auto text = f.at_pole(orders, *pole);
     return text ? std::optional(formula_over(*text, argument_names(f.what), x)) : std::nullopt;
   }
   static end_series of_derivative(const further_function& f, const std::vector<rational>& first,
