@@ -161,8 +161,32 @@ class scaling {
     return detail::call_further(g_, *f, operands);
   }
 
-  /// erfc(x) = exp(-x^2) erfcx(x) and, for x > 0, gammaUpper(s, x) = x^s exp(-x) expintx(1 - s, x)
-  /// (DLMF 8.19.1); the others by their definition.
+  node_id function_of(const char* name, node_id x) {
+    return detail::find_function(name)->build(g_, {x});
+  }
+
+  /// exp(u); for u that grows, cosh(u) and sinh(u) = exp(u) (1 +- exp(-2 u))/2.
+  std::optional<scaled_form> exponential(node_id i) {
+    const node n = g_[i];
+    scaled_form result;
+    if (n.what == operation::exp) {
+      add_to(result.exponent, n.left, 1);
+      result.scaled = g_.number(1);
+      return result;
+    }
+    if (n.what != operation::sinh && n.what != operation::cosh) return std::nullopt;
+    add_to(result.exponent, n.left, 1);
+    if (direction(result.exponent) <= 0) return std::nullopt;
+    const node_id square = function_of("exp", multiply(g_, g_.number(-2), value_of(n.left)));
+    const node_id twice = n.what == operation::cosh ? add(g_, g_.number(1), square)
+                                                    : subtract(g_, g_.number(1), square);
+    result.scaled = divide(g_, twice, g_.number(2));
+    return result;
+  }
+
+  /// erfc(x) = exp(-x^2) erfcx(x), erfi(x) = 2/sqrt(pi) exp(x^2) dawson(x) and, for x > 0,
+  /// gammaUpper(s, x) = x^s exp(-x) expintx(1 - s, x) (DLMF 8.19.1); the others by their
+  /// definition.
   std::optional<scaled_form> scaled(node_id i) {
     const node n = g_[i];
     const auto of_error_function = [&](node_id x) {
@@ -179,6 +203,14 @@ class scaling {
     if (n.what != operation::further) return std::nullopt;
     const further_call& f = g_.call_at(i);
     const std::string_view name = f.function->what.name;
+    if (name == "erfi") {
+      const node_id x = f.operands[0];
+      scaled_form result;
+      add_square(result.exponent, x, 1);
+      const node_id root = function_of("sqrt", detail::find_constant("pi")->build(g_));
+      result.scaled = divide(g_, multiply(g_, g_.number(2), call("dawson", {value_of(x)})), root);
+      return result;
+    }
     if (f.operands.size() != 2 || varies(f.operands[0])) return std::nullopt;
     const node_id order = f.operands[0];
     const node_id x = f.operands[1];
@@ -240,10 +272,7 @@ class scaling {
     for (const factor& f : factors) {
       std::optional<scaled_form> form = scaled(f.what);
       has_function = has_function || form;
-      if (!form && varies(f.what) && g_[f.what].what == operation::exp) {
-        form.emplace(scaled_form{{}, g_.number(1)});
-        add_to(form->exponent, g_[f.what].left, 1);
-      }
+      if (!form && varies(f.what)) form = exponential(f.what);
       if (!form) {
         rest.push_back({value_of(f.what), f.times});
         continue;
@@ -261,7 +290,7 @@ class scaling {
       result = f.times > 0 ? multiply(g_, result, size) : divide(g_, result, size);
     }
     if (exponent.empty()) return result;
-    return multiply(g_, detail::find_function("exp")->build(g_, {node_of(exponent)}), result);
+    return multiply(g_, function_of("exp", node_of(exponent)), result);
   }
 
   graph g_;
