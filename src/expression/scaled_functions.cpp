@@ -82,6 +82,64 @@ class scaling {
   }
 
   // -----------------------------------------------------------------------------------------------
+  // Domains
+  //
+  // Exponents that cancel leave nothing of what they are made of: exp(x + log(5-x)) times
+  // exp(-log(5-x)) would be exp(x), which is defined beyond 5. So exponents are taken where they
+  // are shown to be defined for all x > 0. The arguments of the other functions stay in the scaled
+  // ones.
+
+  bool is_positive(node_id i) {
+    if (!varies(i)) return certainly_positive(detail::value_at(g_, i, 64));
+    const node n = g_[i];
+    switch (n.what) {
+      case operation::variable:
+        return true;
+      case operation::add:
+      case operation::multiply:
+      case operation::divide:
+        return is_positive(n.left) && is_positive(n.right);
+      case operation::power:
+        return is_positive(n.left) && is_defined(n.right);
+      case operation::power_integer:
+      case operation::root:
+      case operation::sqrt:
+        return is_positive(n.left);
+      case operation::exp:
+      case operation::cosh:
+        return is_defined(n.left);
+      default:
+        return false;
+    }
+  }
+  bool is_defined(node_id i) {
+    if (!varies(i)) return detail::value_at(g_, i, 64).is_bounded();
+    if (is_positive(i)) return true;
+    const node n = g_[i];
+    switch (n.what) {
+      case operation::negate:
+      case operation::sin:
+      case operation::cos:
+      case operation::sinh:
+      case operation::tanh:
+      case operation::atan:
+        return is_defined(n.left);
+      case operation::log:
+        return is_positive(n.left);
+      case operation::add:
+      case operation::subtract:
+      case operation::multiply:
+        return is_defined(n.left) && is_defined(n.right);
+      case operation::divide:
+        return is_defined(n.left) && is_positive(n.right);
+      case operation::power_integer:
+        return n.number >= 0 && is_defined(n.left);
+      default:
+        return false;
+    }
+  }
+
+  // -----------------------------------------------------------------------------------------------
   // Exponents
 
   void add_to(linear_sum& sum, node_id i, const rational& times) {
@@ -169,12 +227,14 @@ class scaling {
   std::optional<scaled_form> exponential(node_id i) {
     const node n = g_[i];
     scaled_form result;
+    const bool is_one =
+        n.what == operation::exp || n.what == operation::sinh || n.what == operation::cosh;
+    if (!is_one || !is_defined(n.left)) return std::nullopt;
     if (n.what == operation::exp) {
       add_to(result.exponent, n.left, 1);
       result.scaled = g_.number(1);
       return result;
     }
-    if (n.what != operation::sinh && n.what != operation::cosh) return std::nullopt;
     add_to(result.exponent, n.left, 1);
     if (direction(result.exponent) <= 0) return std::nullopt;
     const node_id square = function_of("exp", multiply(g_, g_.number(-2), value_of(n.left)));

@@ -65,5 +65,26 @@ TEST_F(ScaledFunctions, AreForProductsInWhichAFactorGrowsAndTheWholeDoesNot) {
   }
 }
 
+/// Where exponents cancel, what they are made of is defined.
+TEST_F(ScaledFunctions, KeepTheDomain) {
+  for (const char* text :
+       {"exp(x+0*log(5-x))*besselK(0,x)", "exp(x+log(5-x))*exp(-log(5-x))*besselK(0,x)",
+        "exp(x+1/(x-7))*exp(-1/(x-7))*expint(1,x)", "exp(x+sqrt(3-x)-sqrt(3-x))*expint(1,x)",
+        "cosh(x+0*asin(x))*expint(1,x)", "exp(x+(x-9)^(-2)*0)*expint(1,x)"}) {
+    const expression f = formula(text);
+    const auto g = f.with_scaled_functions();
+    if (!g) continue;
+    for (const rational& at : {rational(6), rational(7), rational(9), rational(23, 2)}) {
+      const ball x(at, 128);
+      EXPECT_TRUE(f(x).is_bounded() || !(*g)(x).is_bounded()) << text << " at " << at;
+    }
+  }
+  for (const char* text :
+       {"exp(x^2+sqrt(x)/(1+x)-log(x))*erfc(x)", "exp(x+1/x^2)*expint(1,x)",
+        "exp(2*x+sin(x)-x)*besselK(0,x)", "exp(x+x^(1/3)-x^(1/2))*besselK(0,x)"}) {
+    EXPECT_TRUE(formula(text).with_scaled_functions()) << text;
+  }
+}
+
 }  // namespace scaled_functions_test
 }  // namespace polhode
