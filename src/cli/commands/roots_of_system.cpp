@@ -151,9 +151,8 @@ std::string as_text(const system_given& given, const system_answer& a, long digi
   for (std::size_t i = 0; i < a.roots.regions.size(); ++i) {
     const system_region& r = a.roots.regions[i];
     for (std::size_t j = 0; j < given.variables.size(); ++j) {
-      result +=
-          fmt::format("{}{} = {}", j == 0 ? "" : ", ", given.variables[j],
-                      part_text(a.enclosures[i][j], is_one_root(r.verdict), digits));
+      result += fmt::format("{}{} = {}", j == 0 ? "" : ", ", given.variables[j],
+                            part_text(a.enclosures[i][j], is_one_root(r.verdict), digits));
     }
     const std::string remark = remark_on(r);
     result +=
