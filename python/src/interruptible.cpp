@@ -1,7 +1,10 @@
 #include "interruptible.hpp"
 
 #include <pthread.h>
+#include <unistd.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -23,10 +26,22 @@ struct idle_threads {
 };
 
 idle_threads* idle = nullptr;
+/// Tasks that have not ended, those among them whose callers have gone on.
+std::atomic<long> tasks_under_way = 0;
 
 /// After a fork the child has none of its parent's threads, and perhaps a mutex of theirs that is
 /// locked for ever.
-void forget_all() { idle = new idle_threads; }
+void forget_all() {
+  idle = new idle_threads;
+  tasks_under_way = 0;
+}
+
+/// Threads that still compute use constants that the end of the process would destroy.
+void end_at_once(int status, void*) {
+  if (tasks_under_way == 0) return;
+  std::fflush(nullptr);
+  _exit(status);
+}
 
 void run_tasks(const std::shared_ptr<idle_thread>& self) {
   while (true) {
@@ -38,6 +53,7 @@ void run_tasks(const std::shared_ptr<idle_thread>& self) {
       self->has_task = false;
       lock.unlock();
       task();
+      --tasks_under_way;
     }
     const std::lock_guard all(idle->mutex);
     idle->waiting.push_back(self);
@@ -45,6 +61,8 @@ void run_tasks(const std::shared_ptr<idle_thread>& self) {
 }
 
 }  // namespace
+
+void expect_the_end() { on_exit(end_at_once, nullptr); }
 
 void watch_for_a_moment(const std::atomic<bool>& flag) {
   // Some times what it takes to wake a thread that sleeps.
@@ -69,6 +87,7 @@ void run_aside(std::function<void()> task) {
       idle->waiting.pop_back();
     }
   }
+  ++tasks_under_way;
   const bool is_new = thread == nullptr;
   if (is_new) thread = std::make_shared<idle_thread>();
   {

@@ -27,6 +27,10 @@ using stop_flag = std::shared_ptr<std::atomic<bool>>;
 /// the constants that it keeps, or a new one.
 void run_aside(std::function<void()> task);
 
+/// The process ends soon: where a task is under way then, it ends without destroying what the task
+/// uses. To be called as late as possible, as what is registered last is done first.
+void expect_the_end();
+
 /// Returns when the flag is set, or soon: most work takes less time than a thread to fall asleep
 /// and wake up.
 void watch_for_a_moment(const std::atomic<bool>& flag);

@@ -1,6 +1,7 @@
 // The Python module polhode._polhode.
 
 #include "conversions.hpp"
+#include "interruptible.hpp"
 #include "polhode/expression/expression.hpp"
 #include "polhode/version.hpp"
 
@@ -48,4 +49,5 @@ PYBIND11_MODULE(_polhode, m) {
   declare_formulas(m);
   declare_integrals(m);
   declare_computations(m);
+  py::module_::import("atexit").attr("register")(py::cpp_function(expect_the_end));
 }

@@ -4,6 +4,8 @@ import fractions
 import math
 import os
 import signal
+import subprocess
+import sys
 import threading
 import time
 
@@ -171,6 +173,24 @@ def test_threads_compute_at_once():
     for t in threads:
         t.join()
     assert results == [True] * 8
+
+
+def test_the_interpreter_ends_beside_work_that_has_not_ended():
+    program = """
+import sys
+import polhode
+for text in ["sin(exp(x))", "cos(exp(x))", "sin(exp(x))*x"]:
+    try:
+        polhode.integrate(text, 0, 14, 4000, time_limit=0.05)
+    except TimeoutError:
+        pass
+print("ends")
+sys.exit(3)
+"""
+    for _ in range(5):
+        done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True,
+                              check=False)
+        assert (done.returncode, done.stdout) == (3, "ends\n"), done.stderr
 
 
 def test_a_time_limit_ends_long_work():
