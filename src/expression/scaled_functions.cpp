@@ -42,6 +42,9 @@ struct factor {
 };
 
 constexpr long most_times = 1000;
+/// The walks through exponents, along all paths, that a formula may take.
+constexpr long most_steps = 100'000;
+struct too_long {};
 
 class scaling {
  public:
@@ -89,7 +92,11 @@ class scaling {
   // are shown to be defined for all x > 0. The arguments of the other functions stay in the scaled
   // ones.
 
+  void count_step() {
+    if (++steps_ > most_steps) throw too_long();
+  }
   bool is_positive(node_id i) {
+    count_step();
     if (!varies(i)) return certainly_positive(detail::value_at(g_, i, 64));
     const node n = g_[i];
     switch (n.what) {
@@ -113,6 +120,7 @@ class scaling {
     }
   }
   bool is_defined(node_id i) {
+    count_step();
     if (!varies(i)) return detail::value_at(g_, i, 64).is_bounded();
     if (is_positive(i)) return true;
     const node n = g_[i];
@@ -143,6 +151,7 @@ class scaling {
   // Exponents
 
   void add_to(linear_sum& sum, node_id i, const rational& times) {
+    count_step();
     const node n = g_[i];
     switch (n.what) {
       case operation::negate:
@@ -358,6 +367,7 @@ class scaling {
   std::vector<char> varies_;
   std::vector<node_id> values_;
   bool has_changed_ = false;
+  long steps_ = 0;
 };
 
 }  // namespace
@@ -373,6 +383,8 @@ std::optional<expression> expression::with_scaled_functions() const {
     return found ? std::optional(with_root(f.graph_of_result(), *found)) : std::nullopt;
   } catch (const detail::undefined_operation&) {
     return std::nullopt;  // an operation has no value anywhere
+  } catch (const scaled_functions_impl::too_long&) {
+    return std::nullopt;
   }
 }
 

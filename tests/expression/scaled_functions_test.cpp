@@ -4,6 +4,7 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/expression/formula_of.hpp"
 #include "polhode/expression/library_functions.hpp"
 #include "polhode/expression/parse.hpp"
 
@@ -84,6 +85,16 @@ TEST_F(ScaledFunctions, KeepTheDomain) {
         "exp(2*x+sin(x)-x)*besselK(0,x)", "exp(x+x^(1/3)-x^(1/2))*besselK(0,x)"}) {
     EXPECT_TRUE(formula(text).with_scaled_functions()) << text;
   }
+}
+
+/// A formula with few nodes and 2^60 paths through them.
+TEST_F(ScaledFunctions, AreNotLookedForAlongAllPaths) {
+  const auto f = [](const auto& x) {
+    auto u = x;
+    for (int k = 0; k < 60; ++k) u = u + sin(u - u * x);
+    return exp(u) * exp(x * x) * erfc(x);
+  };
+  EXPECT_FALSE(formula_of(f).with_scaled_functions());
 }
 
 }  // namespace scaled_functions_test

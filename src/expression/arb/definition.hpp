@@ -58,8 +58,8 @@ struct definition {
   /// Bounds over the rectangle z, on which f is analytic; nullptr: Arb has good values over sets.
   bounds (*over)(const call& x) = nullptr;
   /// A bound of the derivative in the order, over the order's set, at a single z or over a set;
-  /// nullptr: none is known. With it the values of an order that is a set are those of its middle
-  /// and an error: Arb loses as many bits as it would for a single number cancel, or takes minutes.
+  /// nullptr: none is known. With it the values over a set of orders are that of its middle and an
+  /// error. Over the set itself Arb loses the bits that cancel in its sums, or takes minutes.
   magnitude (*over_order)(const call& x) = nullptr;
   const char* slope = "";  // f' as a formula in the names of its arguments
   std::function<bool(known_arguments)> may_be_defined = nullptr;
