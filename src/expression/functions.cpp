@@ -460,7 +460,7 @@ bool is_infinity(std::string_view text) {
   std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   });
-  return lower == "inf" || lower == "infinity" || lower == "oo";
+  return lower == "inf" || lower == "infinity" || lower == "oo" || lower == "\u221E";
 }
 
 }  // namespace polhode

@@ -24,7 +24,9 @@
 
 #include "base/nearest_name.hpp"
 #include "calls.hpp"
+#include "foreign_names.hpp"
 #include "graph.hpp"
+#include "plain_characters.hpp"
 
 namespace polhode::detail {
 namespace {
@@ -118,8 +120,11 @@ class reader {
                                         " is no function; a product is written with *, as in " +
                                         std::string(given) + "*(...)");
     }
-    throw expression_error(where, "there is no function " + quoted(given) +
-                                      suggestion("; the nearest is ", given, function_names()));
+    const auto here = written_here(given);
+    throw expression_error(where,
+                           "there is no function " + quoted(given) +
+                               (here ? "; it is written " + std::string(*here)
+                                     : suggestion("; the nearest is ", given, function_names())));
   }
   /// Whether f(x, y, z) is f(f(x, y), z).
   static bool is_of_any_number(const function_row& function) {
@@ -148,7 +153,10 @@ class reader {
                              function.what.name + " takes " + std::to_string(function.arity) +
                                  (function.arity == 1 ? " argument" : " arguments") + ", not " +
                                  std::to_string(arguments.size()) + ": write " +
-                                 function.what.name + "(" + function.what.arguments + ")");
+                                 function.what.name + "(" + function.what.arguments + ")" +
+                                 (function.what.name == "log" && arguments.size() == 2
+                                      ? ", or log(x)/log(b) to the base b"
+                                      : ""));
     }
     push(made(last.name.begin(), [&] { return function.build(graph_, arguments); }));
   }
@@ -245,6 +253,7 @@ class reader {
       throw expression_error(column(where),
                              "a decimal point is a point, and digits are written without commas");
     }
+    if (*where == '|') throw expression_error(column(where), "an absolute value is written abs(x)");
     throw expression_error(column(where), quoted(std::string_view(&*where, 1)) +
                                               " was not expected; expected " + wanted);
   }
@@ -456,7 +465,7 @@ BOOST_SPIRIT_DEFINE(sum, signed_power, postfix)
 
 // ---------------------------------------------------------------------------------------------
 
-/// What must not reach the grammar: texts that are too long, too deep, or not of its characters.
+/// What must not reach the grammar: texts that are too long, too deep, or with control characters.
 void check_text(std::string_view text) {
   if (text.size() > longest_expression) {
     throw expression_error(longest_expression + 1,
@@ -471,16 +480,11 @@ void check_text(std::string_view text) {
                                         " parentheses inside each other");
     }
     if (c == ')') --depth;
-    if ((c < ' ' || c > '~') && !is_space(c)) {
-      throw expression_error(
-          i + 1, "a character that no formula has; expected letters, digits and + - * / ^ ! ( ) ,");
-    }
+    if ((c < ' ' || c > '~') && !is_space(c)) throw expression_error(i + 1, foreign_character);
   }
 }
 
-}  // namespace
-
-node_id read_expression(graph& g, std::string_view text, const name_table& names) {
+node_id read_plain(graph& g, std::string_view text, const name_table& names) {
   check_text(text);
   reader r(g, text, names);
   iterator first = text.begin();
@@ -496,6 +500,23 @@ node_id read_expression(graph& g, std::string_view text, const name_table& names
   }
   if (first != last) r.unexpected(first, "an operator or the end");
   return r.result();
+}
+
+}  // namespace
+
+node_id read_expression(graph& g, std::string_view text, const name_table& names) {
+  const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+  if (text.size() > longest_expression || std::all_of(text.begin(), text.end(), is_ascii)) {
+    return read_plain(g, text, names);
+  }
+  const plain_formula plain = in_plain_characters(text);
+  try {
+    return read_plain(g, plain.text, names);
+  } catch (const expression_error& error) {
+    const std::size_t column = plain.columns[std::min(error.column() - 1, plain.text.size())];
+    const std::string_view whole = error.what();
+    throw expression_error(column, std::string(whole.substr(whole.find(": ") + 2)));
+  }
 }
 
 }  // namespace polhode::detail

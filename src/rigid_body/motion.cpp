@@ -89,6 +89,13 @@ exact_real motion::lambda2() const {
 
 exact_real motion::m1() const { return (is_about_x(regime_) ? -c_ : c_) * (a_ + b_) / lambda2(); }
 
+/// By lambda^2 - lambda^2 m_1, which is b (a-c) + c (a+b) = a (b+c) where the motion oscillates,
+/// and a (b+c) - c (a+b) = b (a-c) else.
+exact_real motion::m() const {
+  const exact_real other = is_about_x(regime_) ? a_ * (b_ + c_) : b_ * (a_ - c_);
+  return other / lambda2();
+}
+
 exact_real motion::kappa() const {
   const auto [first, second] = factors_of_lambda2();
   return (is_about_x(regime_) ? b_ + c_ : b_) / first;

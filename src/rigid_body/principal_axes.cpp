@@ -4,26 +4,24 @@
 #include <stdexcept>
 
 #include "polhode/arithmetic/elementary.hpp"
+#include "rigid_body/vectors.hpp"
 
 namespace polhode {
 namespace {
 
 using vector = principal_axes::vector;
 
-rational dot(const vector& x, const vector& y) {
-  return rational(x[0] * y[0] + x[1] * y[1] + x[2] * y[2]);
-}
+using detail::cross;
+using detail::dot;
+using exact_vector = principal_axes::exact_vector;
 
-template <class T>
-std::array<T, 3> cross(const std::array<T, 3>& x, const std::array<T, 3>& y) {
-  return {T(x[1] * y[2] - x[2] * y[1]), T(x[2] * y[0] - x[0] * y[2]), T(x[0] * y[1] - x[1] * y[0])};
-}
-
-vector unit_vector(std::size_t k) {
-  vector result{0, 0, 0};
+template <class T = rational>
+std::array<T, 3> unit_vector(std::size_t k) {
+  std::array<T, 3> result{0, 0, 0};
   result[k] = 1;
   return result;
 }
+exact_vector exact_unit_vector(std::size_t k) { return unit_vector<exact_real>(k); }
 
 rational trace_of(const std::array<rational, 6>& t) { return rational(t[0] + t[1] + t[2]); }
 
@@ -114,7 +112,7 @@ void principal_axes::set_different() {
   for (std::size_t i = 0; i < 3; ++i) {
     if (axes_[i].direction) continue;
     std::size_t& k = axes_[i].leading;
-    while (square_along(i, unit_vector(k)).is_rational()) ++k;  // it is 0
+    while (square_along(i, exact_unit_vector(k)).is_rational()) ++k;  // it is 0
   }
   rigid_ = body::from_inertia_tensor(whole);
 }
@@ -148,47 +146,52 @@ exact_real principal_axes::margin() const {
 /// alpha, beta and gamma are. Where one other moment r is rational, m is a root of X^2 - S X + Q
 /// with S = tr T - r, Q = det T/r, and is irrational: N = (gamma - beta Q) + (alpha + beta S) m is
 /// 0 only where both of these are.
-exact_real principal_axes::projected(std::size_t i, const vector& u, const vector& w) const {
+exact_real principal_axes::projected(std::size_t i, const exact_vector& u,
+                                     const exact_vector& w) const {
   if (axes_[i].direction) {
     const vector& d = *axes_[i].direction;
-    return rational(dot(u, d) * dot(d, w) / dot(d, d));
+    return dot(d, u) * dot(d, w) / dot(d, d);
   }
   const rational trace = trace_of(tensor_);
   const rational determinant = determinant_of(tensor_);
-  const vector tu = times(u);
-  const vector tw = times(w);
-  rational beta = dot(u, tw);
-  rational alpha(dot(tu, tw) - trace * beta);
-  rational gamma(determinant * dot(u, w));
+  const exact_vector tu = times(u);
+  const exact_vector tw = times(w);
+  exact_real beta = dot(u, tw);
+  exact_real alpha = dot(tu, tw) - trace * beta;
+  exact_real gamma = determinant * dot(u, w);
   const auto known = std::find_if(moments_.begin(), moments_.end(),
                                   [](const exact_real& x) { return x.is_rational(); });
   if (known != moments_.end()) {
-    gamma -= beta * determinant / known->exact();
-    alpha += beta * (trace - known->exact());
+    gamma = gamma - beta * rational(determinant / known->exact());
+    alpha = alpha + beta * rational(trace - known->exact());
     beta = 0;
   }
-  if (alpha == 0 && beta == 0 && gamma == 0) return 0;
+  const auto is_zero = [](const exact_real& x) { return x.is_rational() && x.exact() == 0; };
+  if (is_zero(alpha) && is_zero(beta) && is_zero(gamma)) return 0;
   const exact_real& m = moments_[i];
   const exact_real others = (m - moments_[(i + 1) % 3]) * (m - moments_[(i + 2) % 3]);
   return (gamma / m + alpha + beta * m) / others;
 }
 
-exact_real principal_axes::square_along(std::size_t i, const vector& w) const {
+exact_real principal_axes::square_along(std::size_t i, const exact_vector& w) const {
   return projected(i, w, w);
 }
 
 std::array<exact_real, 6> principal_axes::projector(std::size_t i) const {
   const auto entry = [&](std::size_t k, std::size_t l) {
-    return projected(i, unit_vector(k), unit_vector(l));
+    return projected(i, exact_unit_vector(k), exact_unit_vector(l));
   };
   return {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)};
 }
 
-int principal_axes::sense_along(std::size_t i, const vector& w) const {
+int principal_axes::sense_along(std::size_t i, const exact_vector& w) const {
   const axis_data& axis = axes_[i];
+  const bool is_rational =
+      std::all_of(w.begin(), w.end(), [](const exact_real& x) { return x.is_rational(); });
   // v_k (v_i w), where v_k > 0 is the leading component.
-  const int sense = axis.direction ? dot(*axis.direction, w).sign()
-                                   : projected(i, unit_vector(axis.leading), w).sign();
+  const exact_real along =
+      axis.direction ? dot(*axis.direction, w) : projected(i, exact_unit_vector(axis.leading), w);
+  const int sense = along.sign(is_rational ? exact_real::most_bits : most_bits_of_sense);
   return sense == 0 || i < 2 ? sense : sense * orientation();
 }
 
@@ -203,10 +206,10 @@ std::array<ball, 3> principal_axes::unoriented(std::size_t i, precision p) const
     }
     return result;
   }
-  const vector leading = unit_vector(axis.leading);
+  const exact_vector leading = exact_unit_vector(axis.leading);
   const ball length = sqrt(square_along(i, leading).at(p));
   for (std::size_t k = 0; k < 3; ++k) {
-    result[k] = projected(i, unit_vector(k), leading).at(p) / length;
+    result[k] = projected(i, exact_unit_vector(k), leading).at(p) / length;
   }
   return result;
 }
@@ -244,19 +247,20 @@ std::optional<axis_order> principal_axes::along_given_axes() const {
   return result;
 }
 
-vector principal_axes::times(const vector& w) const {
+exact_vector principal_axes::times(const exact_vector& w) const {
   const auto rows = rows_of(tensor_);
   return {dot(rows[0], w), dot(rows[1], w), dot(rows[2], w)};
 }
 
 /// By the cross products of the rows, which are the columns of the inverse times the determinant.
-vector principal_axes::solved(const vector& w) const {
+exact_vector principal_axes::solved(const exact_vector& w) const {
   const auto rows = rows_of(tensor_);
   const rational determinant = determinant_of(tensor_);
-  vector result{0, 0, 0};
+  exact_vector result{0, 0, 0};
   for (std::size_t i = 0; i < 3; ++i) {
     const vector column = cross(rows[(i + 1) % 3], rows[(i + 2) % 3]);
-    for (std::size_t k = 0; k < 3; ++k) result[k] += column[k] * w[i] / determinant;
+    for (std::size_t k = 0; k < 3; ++k)
+      result[k] = result[k] + rational(column[k] / determinant) * w[i];
   }
   return result;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "rigid_body/rotor_scalars.hpp"
+#include "rigid_body/vectors.hpp"
 
 namespace polhode::detail {
 
@@ -72,10 +73,6 @@ matrix3<T> frame(const triple<T>& j, const T& across, const std::pair<T, T>& ang
            {T(across * j[0]), T(across * j[1]), j[2]}}};
 }
 
-template <class T>
-T dot(const triple<T>& x, const triple<T>& y) {
-  return T(x[0] * y[0] + x[1] * y[1] + x[2] * y[2]);
-}
 template <class T>
 T dot(const triple<T>& x, const matrix3<T>& m, std::size_t column) {
   return T(x[0] * m[0][column] + x[1] * m[1][column] + x[2] * m[2][column]);

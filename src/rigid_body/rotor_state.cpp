@@ -1,9 +1,10 @@
-#include <algorithm>
+#include <stdexcept>
 #include <string>
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/rotor.hpp"
+#include "rigid_body/vectors.hpp"
 
 namespace polhode {
 namespace {
@@ -15,18 +16,8 @@ void refuse_rest(const triple<rational>& v, const char* what) {
   throw input_error(std::string(what) + " 0, 0, 0: the body rests; one component must not be 0");
 }
 
-/// Bits before the point of q, about.
-precision bits_before_point(const rational& q) {
-  const auto bits = [](const integer& n) {
-    return static_cast<precision>(mpz_sizeinbase(n.backend().data(), 2));
-  };
-  return std::max<precision>(bits(numerator(q)) - bits(denominator(q)) + 1, 0);
-}
-
-rational determinant(const matrix3<rational>& m) {
-  return rational(m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-                  m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-                  m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]));
+triple<ball> turned_by(const matrix3<ball>& turn, const triple<ball>& v) {
+  return {detail::dot(turn[0], v), detail::dot(turn[1], v), detail::dot(turn[2], v)};
 }
 
 }  // namespace
@@ -45,19 +36,27 @@ initial_state initial_state::from_momentum(const triple<rational>& moments,
 }
 
 initial_state initial_state::from_tensor(std::shared_ptr<const principal_axes> tensor,
-                                         const triple<rational>& momentum) {
+                                         const triple<rational>& momentum,
+                                         const exact_rotation& turn) {
   refuse_rest(momentum, "angular momentum");
   initial_state s(std::move(tensor));
-  const triple<rational> omega = s.axes_->solved(momentum);
-  for (std::size_t i = 0; i < 3; ++i) {
-    s.squared_momentum_ += momentum[i] * momentum[i];
-    s.twice_energy_ += momentum[i] * omega[i];
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    s.squares_[i] = s.axes_->square_along(i, momentum) / s.squared_momentum_;
-    s.senses_[i] = s.axes_->sense_along(i, momentum);
-  }
-  s.settle();
+  s.turn_ = turn;
+  const triple<exact_real> inner = turn.inverse().of({momentum[0], momentum[1], momentum[2]});
+  s.squared_momentum_ = detail::dot(momentum, momentum);
+  s.settle(inner, s.axes_->solved(inner));
+  return s;
+}
+
+initial_state initial_state::from_tensor_and_velocity(std::shared_ptr<const principal_axes> tensor,
+                                                      const triple<rational>& omega,
+                                                      const exact_rotation& turn) {
+  refuse_rest(omega, "angular velocity");
+  initial_state s(std::move(tensor));
+  s.turn_ = turn;
+  const triple<exact_real> inner = turn.inverse().of({omega[0], omega[1], omega[2]});
+  const triple<exact_real> momentum = s.axes_->times(inner);
+  s.squared_momentum_ = detail::dot(momentum, momentum);
+  s.settle(momentum, inner);
   return s;
 }
 
@@ -75,14 +74,14 @@ initial_state initial_state::from_squared_momentum(const triple<rational>& momen
   }
   initial_state s(std::make_shared<const principal_axes>(
       std::array<rational, 6>{moments[0], moments[1], moments[2], 0, 0, 0}));
-  for (std::size_t i = 0; i < 3; ++i) {
-    s.squared_momentum_ += squares[i];
-    s.twice_energy_ += squares[i] / moments[i];
-  }
+  const rational square(squares[0] + squares[1] + squares[2]);
+  s.squared_momentum_ = square;
+  s.twice_energy_ =
+      rational(squares[0] / moments[0] + squares[1] / moments[1] + squares[2] / moments[2]);
   const auto [order, signs] = *s.axes_->along_given_axes();
   for (std::size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<std::size_t>(order[i]);
-    s.squares_[i] = rational(squares[axis] / s.squared_momentum_);
+    s.squares_[i] = rational(squares[axis] / square);
     s.senses_[i] = senses[axis] * signs[i];
   }
   s.settle();
@@ -111,22 +110,45 @@ initial_state initial_state::at_middle_of_twist(const body& rigid, const rationa
       {-sign_of_rational(x), 0, sign_of_rational(z)});
 }
 
+void initial_state::settle(const triple<exact_real>& momentum, const triple<exact_real>& omega) {
+  twice_energy_ = detail::dot(momentum, omega);
+  try {
+    for (std::size_t i = 0; i < 3; ++i) {
+      senses_[i] = axes_->sense_along(i, momentum);
+      squares_[i] = axes_->square_along(i, momentum) / squared_momentum_;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (senses_[(i + 1) % 3] == 0 && senses_[(i + 2) % 3] == 0) squares_[i] = 1;
+    }
+    settle();
+  } catch (const std::domain_error&) {
+    throw input_error(
+        "the angular momentum: the sign of a component along a principal axis, or of c, is not "
+        "decided; if it is 0, give the frame by a quaternion or a matrix of rational numbers");
+  }
+}
+
 /// 2 H/J^2 is a rational number q > 0, and c = q I_y - 1 is rational where I_y is, and else
 /// irrational: its sign is decided. Where moments are irrational they are different, and the motion
 /// is an equilibrium where J is along an axis, two of its components being 0, which principal_axes
-/// decides; by comparing c with a and -b enclosures would not.
+/// decides; by comparing c with a and -b enclosures would not. The same where a turn of the tensor
+/// makes J or omega irrational; then c = a J_z^2/J^2 - b J_x^2/J^2, which is the same number, as
+/// 2 H I_y/J^2 is the sum of (1 - b) J_x^2/J^2, J_y^2/J^2 and (1 + a) J_z^2/J^2, and rational where
+/// a symmetric top is in an equilibrium.
 void initial_state::settle() {
   const auto& [x, y, z] = axes_->moments();
   const exact_real a = y / z - 1;
   const exact_real b = 1 - y / x;
-  const exact_real c = y * rational(twice_energy_ / squared_momentum_) - 1;
+  const exact_real q = twice_energy_ / squared_momentum_;
+  const exact_real c = q.is_rational() ? y * q - 1 : a * squares_[2] - b * squares_[0];
   const bool along_x = senses_[1] == 0 && senses_[2] == 0;
   const bool along_y = senses_[0] == 0 && senses_[2] == 0;
   const bool along_z = senses_[0] == 0 && senses_[1] == 0;
-  if (axes_->rational_moments()) {
+  if (a.is_rational() && b.is_rational() && c.is_rational()) {
     motion_ = polhode::motion(a, b, c);
   } else {
-    const int sign = c.sign();
+    const int sign =
+        c.sign(turn_.is_identity() ? exact_real::most_bits : principal_axes::most_bits_of_sense);
     motion_ = polhode::motion(a, b, c,
                               along_x     ? regime::equilibrium_x
                               : along_z   ? regime::equilibrium_z
@@ -148,6 +170,7 @@ void initial_state::settle() {
 }
 
 std::optional<axis_order> initial_state::along_body_axes() const {
+  if (!turn_.is_identity()) return std::nullopt;
   auto result = axes_->along_given_axes();
   if (result) {
     for (std::size_t i = 0; i < 3; ++i) result->signs[i] *= signs_[i];
@@ -156,99 +179,33 @@ std::optional<axis_order> initial_state::along_body_axes() const {
 }
 
 matrix3<ball> initial_state::frame(precision p) const {
+  const matrix3<ball> turn = turn_.matrix(p);
   matrix3<ball> result;
   for (std::size_t i = 0; i < 3; ++i) {
-    result[i] = axes_->axis(i, p);
+    result[i] = turned_by(turn, axes_->axis(i, p));
     for (ball& one : result[i]) one *= signs_[i];
   }
   return result;
 }
 
-void refuse_unless_rotation(const matrix3<rational>& rows) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = i; j < 3; ++j) {
-      const rational product(rows[i][0] * rows[j][0] + rows[i][1] * rows[j][1] +
-                             rows[i][2] * rows[j][2]);
-      if (product == (i == j ? 1 : 0)) continue;
-      throw input_error(
-          "attitude matrix: rows " + std::to_string(i + 1) + " and " + std::to_string(j + 1) +
-          " have the product " + to_text(product) + ", and must have exactly " +
-          (i == j ? "1" : "0") +
-          ", as of a rotation; a quaternion, whose norm is divided out, can be given instead");
-    }
-  }
-  if (determinant(rows) < 0) {
-    throw input_error("attitude matrix: its determinant is -1, a reflection; it must be 1");
-  }
-}
-
 void initial_state::set_matrix(const matrix3<rational>& rows) {
-  refuse_unless_rotation(rows);
-  matrix_ = rows;
-  angles_.reset();
-}
-
-matrix3<rational> rotation_of(const std::array<rational, 4>& wxyz) {
-  const auto& [w, x, y, z] = wxyz;
-  const rational norm(w * w + x * x + y * y + z * z);
-  if (norm == 0) {
-    throw input_error(
-        "attitude quaternion 0, 0, 0, 0: it must not be 0, and stands for itself over its norm");
-  }
-  return {{{rational((w * w + x * x - y * y - z * z) / norm), rational(2 * (x * y - w * z) / norm),
-            rational(2 * (x * z + w * y) / norm)},
-           {rational(2 * (x * y + w * z) / norm), rational((w * w - x * x + y * y - z * z) / norm),
-            rational(2 * (y * z - w * x) / norm)},
-           {rational(2 * (x * z - w * y) / norm), rational(2 * (y * z + w * x) / norm),
-            rational((w * w - x * x - y * y + z * z) / norm)}}};
+  attitude_ = exact_rotation::of_matrix(rows);
 }
 
 void initial_state::set_quaternion(const std::array<rational, 4>& wxyz) {
-  matrix_ = rotation_of(wxyz);
-  angles_.reset();
+  attitude_ = exact_rotation::of_quaternion(wxyz);
 }
 
 void initial_state::set_euler_angles(const triple<rational>& angles, angle_unit unit,
                                      const triple<int>& axes) {
+  exact_rotation turned;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (axes[i] >= 0 && axes[i] < 3 && (i == 0 || axes[i] != axes[i - 1])) continue;
-    throw input_error("Euler angles: the axes must be three of 0, 1, 2, none after itself");
-  }
-  angles_ = angles;
-  unit_ = unit;
-  angle_axes_ = axes;
-}
-
-matrix3<ball> initial_state::attitude(precision p) const {
-  matrix3<ball> r;
-  if (!angles_) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) r[i][j] = ball(matrix_[i][j], p);
+    if (axes[i] < 0 || axes[i] > 2 || (i > 0 && axes[i] == axes[i - 1])) {
+      throw input_error("Euler angles: the axes must be three of 0, 1, 2, none after itself");
     }
-    return r;
+    turned = turned * exact_rotation::about(static_cast<std::size_t>(axes[i]), angles[i], unit);
   }
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) r[i][j] = ball(i == j ? 1 : 0, p);
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    const rational& angle = (*angles_)[i];
-    // Of a large angle p bits are wanted behind the point.
-    const precision bits = p + 8 + bits_before_point(angle);
-    ball x(angle, bits);
-    if (unit_ == angle_unit::degrees) x = ball(rational(angle / 180), bits) * pi(bits);
-    const auto [sine, cosine] = sin_cos(x);
-    const ball s = sine.with_precision(p);
-    const ball c = cosine.with_precision(p);
-    // By the rotation about e_k, which takes e_m to c e_m + s e_n.
-    const auto m = static_cast<std::size_t>((angle_axes_[i] + 1) % 3);
-    const auto n = static_cast<std::size_t>((angle_axes_[i] + 2) % 3);
-    for (triple<ball>& row : r) {
-      const ball before = row[m];
-      row[m] = c * before + s * row[n];
-      row[n] = c * row[n] - s * before;
-    }
-  }
-  return r;
+  attitude_ = turned;
 }
 
 }  // namespace polhode

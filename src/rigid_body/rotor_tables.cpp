@@ -62,7 +62,7 @@ rotor_tables::rotor_tables(const initial_state& state, precision bits, std::size
     : terms_(terms) {
   const motion& of = state.motion();
   const exact_real& moment = state.tensor().moments()[1];
-  size = sqrt(ball(state.squared_momentum(), bits));
+  size = sqrt(state.squared_momentum().at(bits));
   const ball unit = sqrt((state.squared_momentum() / (moment * moment)).at(bits));
   const ball per_turn = unit / scale(pi(bits), 1);
 
@@ -76,7 +76,7 @@ rotor_tables::rotor_tables(const initial_state& state, precision bits, std::size
 
   const bool oscillating = of.regime() == regime::oscillating;
   const bool forever = of.regime() == regime::separatrix;
-  const exact_real m = 1 - of.m1();
+  const exact_real m = of.m();
   const auto [x2, y2, z2] = of.greatest_squares();
   const ball lambda = sqrt(of.lambda2().at(bits));
   const ball agm1 = forever ? ball(0, bits) : counted_agm(sqrt(of.m1().at(bits)));

@@ -29,8 +29,7 @@ work_count audit_motion(const effect_context& x, precision p,
   std::optional<ball> energy;
   std::optional<ball> momentum;
   std::optional<ball> direction;
-  rational size = 0;  // at least |J|, and at most sqrt(3) times that
-  for (const rational& one : *x.what.state->momentum) size += abs(one);
+  const rational size = lower_rational(sqrt(start.squared_momentum().at(32)));  // about |J|
   const rational middle = rational_below(start.tensor().moments()[1], 32);
   for (const long time : {1L, 10L, 100L}) {
     const rational t(time * middle / size);

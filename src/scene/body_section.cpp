@@ -94,8 +94,7 @@ scene_body of_json(const std::string& text) {
                       : of_measured(measured(*file.rotational), sigma, true);
 }
 
-scene_body of_file(section& from, const std::filesystem::path& directory, text_files& files,
-                   std::vector<std::string>& remarks) {
+scene_body of_file(section& from, const std::filesystem::path& directory, text_files& files) {
   const std::filesystem::path given = from.text("file");
   const std::string path = (given.is_absolute() ? given : directory / given).string();
   const std::optional<std::string> link = from.optional_text("link");
@@ -111,7 +110,7 @@ scene_body of_file(section& from, const std::filesystem::path& directory, text_f
   }
   const imported_inertia imported = import_inertia(files[path], link);
   scene_body result = body_of_tensor(imported.tensor);
-  if (!imported.remark.empty()) remarks.push_back(imported.remark);
+  result.turn = imported.turn;
   result.name = imported.name;
   result.has_unit = true;  // all three formats are in kg m^2
   result.file = path;
@@ -213,7 +212,7 @@ scene_body read_body(section body, const std::filesystem::path& directory, text_
     result.solids = whole.solids;
     result.has_unit = true;
   } else {
-    result = at_key(body, way, [&] { return of_file(body, directory, files, remarks); });
+    result = at_key(body, way, [&] { return of_file(body, directory, files); });
   }
   if (name) result.name = *name;
   if (source) result.source = *source;

@@ -116,12 +116,11 @@ rational_range c_by_velocity(const moment_ranges& cell, const std::array<rationa
 std::array<rational, 3> given_squares(const effect_context& x) {
   const scene_body& of = x.what.body;
   const triple<int> order = of.axes->along_given_axes()->order;
-  const rational_vector& momentum = *x.what.state->momentum;
-  const rational_vector given =
-      x.what.state->by_omega ? of.axes->solved(momentum) : rational_vector(momentum);
+  const scene_state& state = *x.what.state;
+  const triple<exact_real>& given = state.by_omega ? *state.omega : *state.momentum;
   std::array<rational, 3> result;
   for (std::size_t i = 0; i < 3; ++i) {
-    const rational& one = given[static_cast<std::size_t>(order[i])];
+    const rational& one = given[static_cast<std::size_t>(order[i])].exact();
     result[i] = one * one;
   }
   return result;

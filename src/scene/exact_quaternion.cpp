@@ -6,12 +6,6 @@
 
 namespace polhode::detail {
 
-std::optional<rational> rational_root(const rational& q) {
-  const rational root(integer(sqrt(numerator(q))), integer(sqrt(denominator(q))));
-  if (root * root != q) return std::nullopt;
-  return root;
-}
-
 namespace {
 
 /// Of a rotation with rational entries: 4 q_i^2 and 4 q_i q_k are sums of these. Where the greatest
@@ -27,7 +21,7 @@ exact_quaternion quaternion_of(const matrix3<rational>& m) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) others[i][k] = m[i][k] + m[k][i];
   }
-  const auto greatest = rational_root(squares[g] / 4);
+  const auto greatest = exact_root(rational(squares[g] / 4), 2);
   exact_quaternion result;
   for (std::size_t k = 0; k < 4; ++k) {
     if (k == g) {
@@ -45,33 +39,13 @@ exact_quaternion quaternion_of(const matrix3<rational>& m) {
   return result;
 }
 
-/// The cosine of an angle where it is known to be rational: at multiples of 60 and 90 degrees, and
-/// at 0 radians.
-std::optional<rational> rational_cosine(rational angle, angle_unit unit) {
-  if (angle < 0) angle = -angle;
-  if (angle == 0) return rational(1);
-  if (unit != angle_unit::degrees) return std::nullopt;
-  angle -= 360 * rational(integer(numerator(angle) / (360 * denominator(angle))));
-  if (angle > 180) angle = 360 - angle;
-  for (const auto& [at, value] :
-       {std::pair(rational(0), rational(1)), std::pair(rational(60), rational(1, 2)),
-        std::pair(rational(90), rational(0)), std::pair(rational(120), rational(-1, 2)),
-        std::pair(rational(180), rational(-1))}) {
-    if (angle == at) return value;
-  }
-  return std::nullopt;
-}
-
 /// Of R_z(phi) R_x(theta) R_z(psi): cos(theta/2) and sin(theta/2) times cosines and sines of (phi +
 /// psi)/2 and (phi - psi)/2.
 exact_quaternion quaternion_of(const rational_vector& phi_theta_psi, angle_unit unit) {
   const auto& [phi, theta, psi] = phi_theta_psi;
   const bool has_degrees = unit == angle_unit::degrees;
-  const auto cosine = [&](const rational& angle) { return rational_cosine(angle, unit); };
-  const auto sine = [&](const rational& angle) -> std::optional<rational> {
-    if (angle == 0) return rational(0);
-    return has_degrees ? cosine(angle - 90) : std::nullopt;
-  };
+  const auto cosine = [&](const rational& x) { return exact_cosine(x, unit).as_rational(); };
+  const auto sine = [&](const rational& x) { return exact_sine(x, unit).as_rational(); };
   const auto product = [](const std::optional<rational>& x,
                           const std::optional<rational>& y) -> std::optional<rational> {
     if ((x && *x == 0) || (y && *y == 0)) return rational(0);

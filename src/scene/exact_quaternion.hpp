@@ -9,9 +9,6 @@
 
 namespace polhode::detail {
 
-/// sqrt(q) of q >= 0 where it is rational.
-[[nodiscard]] std::optional<rational> rational_root(const rational& q);
-
 /// A quaternion's components w, x, y, z, those that are known to be rational; of both signs of the
 /// whole, any.
 using exact_quaternion = std::array<std::optional<rational>, 4>;

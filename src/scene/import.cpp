@@ -9,7 +9,7 @@
 #include <pugixml.hpp>
 
 #include "base/quoted.hpp"
-#include "polhode/rigid_body/rotor.hpp"
+#include "polhode/rigid_body/exact_rotation.hpp"
 #include "polhode/scene/link_inertias.hpp"
 #include "scene/inertia.hpp"
 
@@ -20,7 +20,7 @@ struct found_inertia {
   std::string name;
   long line = 0;
   tensor_entries tensor;
-  std::string remark;   // of imported_inertia
+  exact_rotation turn;  // of imported_inertia
   std::string problem;  // with its line
 };
 
@@ -38,10 +38,11 @@ tensor_entries turned(const tensor_entries& t, const matrix3<rational>& rotation
   return {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)};
 }
 
-bool are_zero(const std::vector<rational>& x, std::size_t from) {
-  return std::all_of(x.begin() + static_cast<std::ptrdiff_t>(from), x.end(),
-                     [](const rational& one) { return one == 0; });
-}
+/// How a MuJoCo file writes angles.
+struct angle_format {
+  angle_unit unit = angle_unit::degrees;
+  std::string sequence = "xyz";
+};
 
 // NOLINTNEXTLINE(bugprone-exception-escape): its destructor is the library's
 class reader : public pugi::xml_tree_walker {
@@ -49,7 +50,8 @@ class reader : public pugi::xml_tree_walker {
   /// For one body the frame is read, and what is no number refused. Of the invariants of all a
   /// frame is of no matter, and a link that is refused is found with its problem.
   enum class purpose { one_body, all_invariants };
-  reader(const std::string& text, purpose what) : text_(&text), purpose_(what) {}
+  reader(const std::string& text, purpose what, angle_format angles)
+      : text_(&text), purpose_(what), angles_(std::move(angles)) {}
 
   bool for_each(pugi::xml_node& node) override {
     if (std::string_view(node.name()) != "inertial") return true;
@@ -66,7 +68,7 @@ class reader : public pugi::xml_tree_walker {
 
  private:
   void read(const pugi::xml_node& node) {
-    frame_ = purpose_ == purpose::one_body ? frame_of(node) : frame{};
+    turn_ = purpose_ == purpose::one_body ? turn_of(node) : exact_rotation();
     if (node.attribute("diaginertia") || node.attribute("fullinertia")) {
       add(node, from_mujoco(node));
     } else if (const pugi::xml_node inertia = node.child("inertia")) {
@@ -99,28 +101,16 @@ class reader : public pugi::xml_tree_walker {
       refuse(node, error.what());
     }
   }
-  /// How the frame about which the inertia is given is turned against the link's. Its place, the
-  /// centre of mass, is of no matter.
-  struct frame {
-    /// From the inertia's axes to the link's, where a quaternion says it.
-    std::optional<matrix3<rational>> rotation;
-    /// Of angles or vectors, which make no rational rotation.
-    std::string remark;
-  };
-  frame frame_of(const pugi::xml_node& node) const {
+  /// From the axes of the inertia's frame to the link's. The frame's place, the centre of mass, is
+  /// of no matter.
+  exact_rotation turn_of(const pugi::xml_node& node) const {
     if (const pugi::xml_node origin = node.child("origin")) {  // URDF
       const pugi::xml_attribute rpy = origin.attribute("rpy");
-      return rpy ? by_angles("rpy", numbers(origin, rpy.value(), 3), 0) : frame{};
+      if (!rpy) return {};
+      return of_roll_pitch_yaw(numbers(origin, rpy.value(), 3), 0, angle_unit::radians);
     }
-    if (const pugi::xml_node pose = node.child("pose")) {  // SDF, after the place
-      constexpr std::size_t places = 3;
-      if (std::string_view(pose.attribute("rotation_format").value()) == "quat_xyzw") {
-        const auto all = numbers(pose, pose.text().get(), places + 4);
-        return by_quaternion(pose, {all[6], all[3], all[4], all[5]});
-      }
-      return by_angles("pose", numbers(pose, pose.text().get(), places + 3), places);
-    }
-    frame result;
+    if (const pugi::xml_node pose = node.child("pose")) return of_pose(pose);
+    exact_rotation result;
     int given = 0;
     const auto read = [&](const char* key, std::size_t count, const auto& make) {
       const pugi::xml_attribute attribute = node.attribute(key);
@@ -128,21 +118,68 @@ class reader : public pugi::xml_tree_walker {
       if (++given > 1)
         refuse(node,
                "its frame is turned twice; give one of quat, euler, axisangle, xyaxes, zaxis");
-      result = make(numbers(node, attribute.value(), count));
+      const std::vector<rational> x = numbers(node, attribute.value(), count);
+      try {
+        result = make(x);
+      } catch (const input_error& error) {
+        refuse(node, std::string(key) + ": " + error.what());
+      }
     };
-    const auto unless = [](bool is_identity, const char* key) {
-      return is_identity ? frame{} : frame{{}, own_axes(key)};
-    };
-    read("quat", 4, [&](const auto& x) { return by_quaternion(node, {x[0], x[1], x[2], x[3]}); });
-    read("euler", 3, [&](const auto& x) { return by_angles("euler", x, 0); });
-    read("axisangle", 4, [&](const auto& x) { return unless(x[3] == 0, "axisangle"); });
-    read("xyaxes", 6, [&](const auto& x) {
-      return unless(x[0] > 0 && x[1] == 0 && x[2] == 0 && x[4] > 0 && x[5] == 0, "xyaxes");
+    read("quat", 4, [](const auto& x) {
+      return exact_rotation::of_quaternion({x[0], x[1], x[2], x[3]});
     });
-    read("zaxis", 3,
-         [&](const auto& x) { return unless(x[0] == 0 && x[1] == 0 && x[2] > 0, "zaxis"); });
+    read("euler", 3, [&](const auto& x) { return of_sequence(x); });
+    read("axisangle", 4, [&](const auto& x) {
+      return exact_rotation::about({x[0], x[1], x[2]}, x[3], angles_.unit);
+    });
+    read("xyaxes", 6, [](const auto& x) {
+      return exact_rotation::with_axes({x[0], x[1], x[2]}, {x[3], x[4], x[5]});
+    });
+    read("zaxis", 3, [](const auto& x) {
+      return exact_rotation::with_third_axis({x[0], x[1], x[2]});
+    });
     if (given > 0 && node.attribute("fullinertia"))
       refuse(node, "fullinertia goes with no turned frame; give diaginertia, or no frame");
+    return result;
+  }
+  /// Of SDF: three numbers of the place, then the rotation.
+  exact_rotation of_pose(const pugi::xml_node& pose) const {
+    constexpr std::size_t places = 3;
+    if (*pose.attribute("relative_to").value() != 0) {
+      refuse(pose, "relative_to: it must be given against the link's own frame");
+    }
+    const std::string_view format = pose.attribute("rotation_format").value();
+    if (format == "quat_xyzw") {
+      const auto all = numbers(pose, pose.text().get(), places + 4);
+      try {
+        return exact_rotation::of_quaternion({all[6], all[3], all[4], all[5]});
+      } catch (const input_error& error) {
+        refuse(pose, error.what());
+      }
+    }
+    if (!format.empty() && format != "euler_rpy")
+      refuse(pose, "rotation_format: it must be \"euler_rpy\" or \"quat_xyzw\"");
+    const std::string_view degrees = pose.attribute("degrees").value();
+    return of_roll_pitch_yaw(
+        numbers(pose, pose.text().get(), places + 3), places,
+        degrees == "true" || degrees == "1" ? angle_unit::degrees : angle_unit::radians);
+  }
+  /// About the fixed axes x, y, z, in this order.
+  static exact_rotation of_roll_pitch_yaw(const std::vector<rational>& angles, std::size_t first,
+                                          angle_unit unit) {
+    return exact_rotation::about(2, angles[first + 2], unit) *
+           exact_rotation::about(1, angles[first + 1], unit) *
+           exact_rotation::about(0, angles[first], unit);
+  }
+  /// Each letter is an axis: a small one of the frame, which turns, a capital one of the link.
+  exact_rotation of_sequence(const std::vector<rational>& angles) const {
+    exact_rotation result;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      const std::size_t own = std::string_view("xyz").find(angles_.sequence[i]);
+      const std::size_t fixed = std::string_view("XYZ").find(angles_.sequence[i]);
+      const auto one = exact_rotation::about(std::min(own, fixed), angles[i], angles_.unit);
+      result = own < 3 ? result * one : one * result;
+    }
     return result;
   }
   std::vector<rational> numbers(const pugi::xml_node& at, const std::string& text,
@@ -156,37 +193,14 @@ class reader : public pugi::xml_tree_walker {
     }
     return result;
   }
-  frame by_quaternion(const pugi::xml_node& at, const std::array<rational, 4>& wxyz) const {
-    if (wxyz[1] == 0 && wxyz[2] == 0 && wxyz[3] == 0 && wxyz[0] != 0) return {};
-    try {
-      return {rotation_of(wxyz), ""};
-    } catch (const input_error& error) {
-      refuse(at, error.what());
-    }
-  }
-  /// In radians or degrees, from angles[first] on. Up to 1e-12 they are what a program for drawing
-  /// leaves of 0, and far below what is measured.
-  static frame by_angles(const char* key, const std::vector<rational>& angles, std::size_t first) {
-    if (are_zero(angles, first)) return {};
-    const rational least(1, 1'000'000'000'000);
-    const bool is_tiny =
-        std::all_of(angles.begin() + static_cast<std::ptrdiff_t>(first), angles.end(),
-                    [&](const rational& x) { return abs(x) <= least; });
-    if (!is_tiny) return {{}, own_axes(key)};
-    return {{},
-            "the inertia's frame in the file is turned by at most 1e-12 against the link's axes: "
-            "that is taken as 0"};
-  }
-  static std::string own_axes(const char* key) {
-    return std::string(
-               "the axes are those of the inertia's own frame, which the file turns "
-               "against the link's by ") +
-           key + ", a rotation that is not rational";
-  }
   void add(const pugi::xml_node& node, tensor_entries tensor, std::string problem = "") {
     const std::string name = node.parent().attribute("name").value();
-    if (frame_.rotation) tensor = turned(tensor, *frame_.rotation);
-    found.push_back({name, line_of(node), std::move(tensor), frame_.remark, std::move(problem)});
+    exact_rotation turn = turn_;
+    if (const auto rotation = turn.rational_matrix()) {
+      if (!turn.is_identity()) tensor = turned(tensor, *rotation);
+      turn = {};
+    }
+    found.push_back({name, line_of(node), std::move(tensor), std::move(turn), std::move(problem)});
   }
   /// URDF has attributes, SDF elements.
   tensor_entries from_entries(const pugi::xml_node& node) const {
@@ -227,7 +241,8 @@ class reader : public pugi::xml_tree_walker {
 
   const std::string* text_;
   purpose purpose_;
-  frame frame_;
+  angle_format angles_;
+  exact_rotation turn_;
   mutable std::size_t counted_to_ = 0;
   mutable long counted_ = 1;
 };
@@ -257,11 +272,34 @@ void load(pugi::xml_document& document, const std::string& text) {
   }
 }
 
+/// Of several <compiler> the last that says it.
+// NOLINTNEXTLINE(bugprone-exception-escape): its destructor is the library's
+class angle_format_reader : public pugi::xml_tree_walker {
+ public:
+  bool for_each(pugi::xml_node& node) override {
+    if (std::string_view(node.name()) != "compiler") return true;
+    const std::string_view unit = node.attribute("angle").value();
+    if (unit == "radian") found.unit = angle_unit::radians;
+    if (unit == "degree") found.unit = angle_unit::degrees;
+    if (node.attribute("eulerseq")) found.sequence = node.attribute("eulerseq").value();
+    const bool is_right = found.sequence.size() == 3 &&
+                          found.sequence.find_first_not_of("xyzXYZ") == std::string::npos;
+    if (!is_right) {
+      throw input_error("<compiler>: eulerseq " + detail::quoted(found.sequence) +
+                        ": it must be three letters of \"xyz\", or capital ones");
+    }
+    return true;
+  }
+  angle_format found;
+};
+
 /// Throws input_error where there is none.
 std::vector<found_inertia> inertias_in(const std::string& text, reader::purpose what) {
   pugi::xml_document document;
   load(document, text);
-  reader inertias(text, what);
+  angle_format_reader angles;
+  if (what == reader::purpose::one_body) document.traverse(angles);
+  reader inertias(text, what, angles.found);
   document.traverse(inertias);
   if (inertias.found.empty()) {
     throw input_error(
@@ -308,7 +346,7 @@ Link& chosen(std::vector<Link>& found, const std::optional<std::string>& link) {
 imported_inertia import_inertia(const std::string& text, const std::optional<std::string>& link) {
   std::vector<found_inertia> found = inertias_in(text, reader::purpose::one_body);
   found_inertia& one = chosen(found, link);
-  return {one.name, one.tensor, one.remark};
+  return {one.name, one.tensor, one.turn};
 }
 
 }  // namespace polhode::detail

@@ -31,11 +31,10 @@ struct composed {
 /// Throws input_error.
 struct imported_inertia {
   std::string name;
-  /// About the link's axes; where the file turns the inertia's frame by numbers that make no
-  /// rational rotation, about those of that frame.
+  /// About the link's axes; where the file turns the inertia's frame by a rotation that is not
+  /// rational, about those of that frame, with the turn to the link's.
   tensor_entries tensor;
-  /// Which axes these are, where they are not the link's exactly.
-  std::string remark;
+  exact_rotation turn;
 };
 [[nodiscard]] imported_inertia import_inertia(const std::string& text,
                                               const std::optional<std::string>& link);

@@ -67,32 +67,45 @@ void continue_signs(effect_table& table) {
 }
 
 /// The columns of momentum_table at time 0, and at all times where the motion is steady: from the
-/// rational momentum at the start, so that integers and dyadic numbers among them are exact.
+/// momentum at the start, where it is rational, so that integers and dyadic numbers among them are
+/// exact.
 class momentum_at_0 {
  public:
   momentum_at_0(const scene& what, const scene_motion& path, precision p) {
-    const triple<rational>& momentum = *what.state->momentum;
-    const triple<rational> omega = what.body.axes->solved(momentum);
     steady_ = is_equilibrium(path.state().regime());
-    const rational square = path.state().squared_momentum();
-    const auto size = rational_root(square);
+    const exact_real& square = path.state().squared_momentum();
+    const auto size = square.is_rational() ? exact_root(square.exact(), 2) : std::nullopt;
     const auto add_rational = [&](const rational& one) {
-      row_.emplace_back(one, p);
+      row_.emplace_back(ball(one, p));
       exact_.emplace_back(one);
     };
     const auto add_ball = [&](const ball& one) {
-      row_.push_back(one);
+      row_.emplace_back(one);
       exact_.emplace_back();
     };
-    for (const rational& one : momentum) {
+    const auto add_unknown = [&] {
+      row_.emplace_back();
+      exact_.emplace_back();
+    };
+    for (const exact_real& component : *what.state->momentum) {
+      if (!component.is_rational()) {
+        add_unknown();
+        continue;
+      }
+      const rational& one = component.exact();
       if (size || one == 0) {
         add_rational(size ? rational(one / *size) : one);
       } else {
-        add_ball(ball(one, p) / sqrt(ball(square, p)));
+        add_ball(ball(one, p) / sqrt(square.at(p)));
       }
     }
     const pi_scale& unit = path.unit();
-    for (const rational& one : omega) {
+    for (const exact_real& component : *what.state->omega) {
+      if (!component.is_rational()) {
+        add_unknown();
+        continue;
+      }
+      const rational& one = component.exact();
       if (unit.power == 0 || one == 0) {
         add_rational(one * unit.factor);
       } else {
@@ -101,7 +114,20 @@ class momentum_at_0 {
     }
   }
   [[nodiscard]] bool holds_at(const rational& t) const { return steady_ || t == 0; }
-  [[nodiscard]] const std::vector<ball>& row() const { return row_; }
+  /// Puts what is known into a row of a time at which it holds.
+  void put_into(std::vector<ball>& row) const {
+    for (std::size_t k = 0; k < row_.size(); ++k) {
+      if (row_[k]) row[k] = *row_[k];
+    }
+  }
+  [[nodiscard]] bool is_whole() const {
+    return std::all_of(row_.begin(), row_.end(), [](const auto& one) { return one.has_value(); });
+  }
+  [[nodiscard]] std::vector<ball> row() const {
+    std::vector<ball> result(row_.size());
+    put_into(result);
+    return result;
+  }
   /// Notes the cells of the rows where it holds that are rational.
   void note_exact(effect_table& table) const {
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
@@ -114,7 +140,7 @@ class momentum_at_0 {
 
  private:
   bool steady_ = false;
-  std::vector<ball> row_;
+  std::vector<std::optional<ball>> row_;        // none where the momentum is irrational
   std::vector<std::optional<rational>> exact_;  // those of them that are rational
 };
 
@@ -125,14 +151,14 @@ effect_table momentum_table(const effect_context& x, precision p, work_count& wo
   const rotor<T> turning(path.state(), p);
   work += turning.work();
   const T unit = number_of<T>(path.unit().at(p));
-  const T size = number_of<T>(sqrt(ball(path.state().squared_momentum(), p)));
+  const T size = number_of<T>(sqrt(path.state().squared_momentum().at(p)));
   const momentum_at_0 known(x.what, path, p);
   const std::string& time = x.what.time_unit.name;
   const std::string rate = x.what.time_kind == scene::time_scale::natural ? "J/I_y" : "rad/" + time;
   effect_table table = table_of(x, {"t", "j_1", "j_2", "j_3", "omega_1", "omega_2", "omega_3"},
                                 {time, "", "", "", rate, rate, rate}, [&](const rational& t) {
-                                  if (std::same_as<T, ball> && known.holds_at(t))
-                                    return known.row();
+                                  const bool is_known = std::same_as<T, ball> && known.holds_at(t);
+                                  if (is_known && known.is_whole()) return known.row();
                                   const rotor_time at = path.at(t);
                                   const rotor_sample<T> sample = turning.sample(at.t);
                                   std::vector<ball> row;
@@ -141,6 +167,7 @@ effect_table momentum_table(const effect_context& x, precision p, work_count& wo
                                     row.push_back(in_ball(T(path.momentum(one, at) / size)));
                                   for (const T& one : sample.angular_velocity)
                                     row.push_back(in_ball(T(path.velocity(one, at) * unit)));
+                                  if (is_known) known.put_into(row);
                                   return row;
                                 });
   if (table.certified) known.note_exact(table);

@@ -15,6 +15,17 @@
 #include "scene/inertia.hpp"
 
 namespace polhode {
+
+triple<ball> scene_body::principal_axis(std::size_t i, precision p) const {
+  const matrix3<ball> turned = turn.matrix(p);
+  const triple<ball> own = axes->axis(i, p);
+  triple<ball> result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    result[k] = turned[k][0] * own[0] + turned[k][1] * own[1] + turned[k][2] * own[2];
+  }
+  return result;
+}
+
 namespace detail {
 namespace {
 
@@ -168,8 +179,16 @@ scene_state read_state(section from, const scene_body& of, scene& whole) {
                             "momentum has none; give [state] a unit");
   }
   result.by_omega = by_omega;
-  result.momentum = by_omega ? of.axes->times(given) : given;
-  result.start = initial_state::from_tensor(of.axes, *result.momentum);
+  const triple<exact_real> exact{given[0], given[1], given[2]};
+  const triple<exact_real> inner = of.turn.inverse().of(exact);
+  result.momentum = by_omega ? of.turn.of(of.axes->times(inner)) : exact;
+  result.omega = by_omega ? exact : of.turn.of(of.axes->solved(inner));
+  try {
+    result.start = by_omega ? initial_state::from_tensor_and_velocity(of.axes, given, of.turn)
+                            : initial_state::from_tensor(of.axes, given, of.turn);
+  } catch (const input_error& error) {
+    from.refuse(key, error.what());
+  }
   if (result.quaternion) result.start->set_quaternion(*result.quaternion);
   if (result.matrix) result.start->set_matrix(*result.matrix);
   if (result.euler)

@@ -12,7 +12,7 @@ scene_motion::scene_motion(const scene& what, precision p)
       state_(*what.state->start) {
   // |omega| <= |J|/I_z, so that |dJ/dt| = |J x omega| <= |J| |omega|, |d omega/dt| is at most that
   // over I_z, and an entry of dR/dt = R [omega]x is at most |omega|.
-  const ball size = sqrt(ball(state_.squared_momentum(), 64));
+  const ball size = sqrt(state_.squared_momentum().at(64));
   const ball least = what.body.moments()[2].at(64);
   const ball fastest = size / least;
   momentum_speed_ = (size * fastest).magnitude_upper();

@@ -50,6 +50,7 @@ TEST(Limits, InfinityHasSeveralNames) {
                                                {"-Infinity", "+Infinity"},
                                                {"--from", "-INF", "--to", "+oo"},
                                                {"--in", "-oo..oo"},
+                                               {"--in", "−∞..∞"},
                                                {"--in", "- inf .. inf"}}) {
     words arguments{"integrate", "exp(-x^2)"};
     arguments.insert(arguments.end(), range.begin(), range.end());

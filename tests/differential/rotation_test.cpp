@@ -317,9 +317,8 @@ TEST(rotation, momentum_by_jacobis_functions) {
       size = size + square(sample.momentum[j]);
       energy = energy + sample.momentum[j] * sample.angular_velocity[j];
     }
-    compare(size, ball(r.state().squared_momentum(), p), "J^2 of " + command, "J^2 at the start",
-            c);
-    compare(energy, ball(r.state().twice_energy(), p), "2 H of " + command, "2 H at the start", c);
+    compare(size, r.state().squared_momentum().at(p), "J^2 of " + command, "J^2 at the start", c);
+    compare(energy, r.state().twice_energy().at(p), "2 H of " + command, "2 H at the start", c);
     const auto in_space = [&](const rational& at) {
       const rotor_sample<ball> s = r.sample(at);
       const rotor_attitude<ball> attitude = r.attitude(at);

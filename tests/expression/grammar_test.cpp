@@ -328,7 +328,10 @@ TEST(GrammarErrors, SayTheColumnAndWhatWouldBeRight) {
   expect_error("Sin(x)", 1, {"nearest is sin"});
   expect_error("x, 2", 2, {"\",\""});
   expect_error("1 $ 2", 3, {"\"$\""});
-  expect_error("1 + \xcf\x80", 5, {"a character"});
+  expect_error("1 + \xcf\x81", 5, {"a character"});
+  expect_error("1 + \xff", 5, {"a character"});
+  expect_error("|x|", 1, {"abs(x)"});
+  expect_error("log(x, 2)", 1, {"1 argument, not 2", "log(x)/log(b)"});
   expect_error(std::string("1 +\0 2", 6), 4, {"a character"});
   expect_error("1e", 1, {"\"1e\"", "exponent of ten has digits", "1*e"});
   expect_error("x + 2.5E", 5, {"\"2.5E\"", "exponent of ten has digits"});
@@ -412,6 +415,45 @@ TEST(GrammarErrors, ShortTextsOfGreatNumbersCostLittle) {
     EXPECT_FALSE(f.exact_value()) << text;
     EXPECT_EQ(f.value(64).precision(), 64) << text;
   }
+}
+
+/// What other programs and books call functions is said in the names of this one.
+TEST(GrammarErrors, NamesOfOtherPrograms) {
+  expect_error("1 + psi(x)", 5,
+               {"no function \"psi\"; it is written digamma(x) or polygamma(n, x)"});
+  expect_error("E1(x)", 1, {"expint(1, x)"});
+  expect_error("beta(x, 2)", 1, {"euler_beta(x, y)"});
+  expect_error("jv(0, x)", 1, {"besselJ(nu, x)"});
+  expect_error("ellipk(x)", 1, {"ellipticK(m)"});
+  expect_error("tg(x)", 1, {"tan(x)"});
+  expect_error("erfinv(x)", 1, {"erf(y) - x"});
+}
+
+/// Formulas as they are typeset are those in plain characters; a column is counted in what was
+/// given.
+TEST(Grammar, TypesetCharacters) {
+  for (const auto& [typeset, plain] :
+       {std::pair("x² − 2π", "x^2 - 2*pi"), std::pair("3×x·4÷5", "3*x*4/5"),
+        std::pair("√(x + 1)³", "sqrt(x + 1)^3"), std::pair("x⁻¹²", "x^(-12)"),
+        std::pair("−x²", "-(x^2)"), std::pair("2x¹⁰", "2*x^10"), std::pair("x ⋅ 3²", "x*9"),
+        std::pair("(x²)²", "(x^2)^2"), std::pair("√ (x)", "sqrt(x)"),
+        std::pair("e^−x²", "e^(-x^2)")}) {
+    EXPECT_EQ(expression(typeset, with_x).to_text(), expression(plain, with_x).to_text())
+        << typeset;
+  }
+  expect_error("π + √x", 6, {"sqrt(x)"}, with_x);
+  expect_error("x²^3", 2, {"needs parentheses"}, with_x);
+  expect_error("x² **3", 2, {"needs parentheses"}, with_x);
+  expect_error("x² !", 2, {"needs parentheses"}, with_x);
+  expect_error("x² ²", 2, {"needs parentheses"}, with_x);
+  expect_error("sin²(x)", 1, {"write sin(x)"}, with_x);
+  expect_error("x²x", 4, {"expected an operator"}, with_x);
+  expect_error("π + $", 6, {"\"$\""}, with_x);
+  expect_error("2² + (1", 9, {"ends here"}, with_x);
+  expect_error("²", 1, {}, with_x);
+  expect_error("x²⁻", 2, {"whole number"}, with_x);
+  expect_error("x⁻", 2, {"whole number"}, with_x);
+  EXPECT_TRUE(is_infinity("∞"));
 }
 
 /// A name far from every other has no suggestion.

@@ -56,12 +56,12 @@ void expect_axes_of(const std::array<rational, 6>& t) {
   EXPECT_TRUE(contains(determinant, 1L));
   // The components of vectors: of all kinds of w, also of the axes themselves where they are
   // rational.
-  for (const triple<rational>& w : {triple<rational>{1, 0, 0},
-                                    {0, 1, 0},
-                                    {0, 0, 1},
-                                    {1, 2, 2},
-                                    {-3, rational(1, 7), 5},
-                                    {2, -1, 0}}) {
+  for (const triple<exact_real>& w : {triple<exact_real>{1, 0, 0},
+                                      {0, 1, 0},
+                                      {0, 0, 1},
+                                      {1, 2, 2},
+                                      {-3, rational(1, 7), 5},
+                                      {2, -1, 0}}) {
     ball sum(0, bits);
     for (std::size_t i = 0; i < 3; ++i) {
       const ball along = v[i][0] * w[0] + v[i][1] * w[1] + v[i][2] * w[2];
@@ -75,7 +75,7 @@ void expect_axes_of(const std::array<rational, 6>& t) {
       }
       sum += squared.at(bits);
     }
-    EXPECT_TRUE(contains(sum, w[0] * w[0] + w[1] * w[1] + w[2] * w[2]));
+    EXPECT_TRUE(contains(sum, (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]).exact()));
     EXPECT_EQ(axes.times(axes.solved(w)), w);
   }
 }

@@ -83,7 +83,7 @@ std::string described(const initial_state& s) {
 /// 1/rho or a little less, rho = |J|/(least moment): an upper bound of |omega|, and a time.
 rational shortest_time(const initial_state& s) {
   const rational least = rational_below(s.tensor().moments()[2], 32);
-  const rational squared(least * least / s.squared_momentum());
+  const rational squared(least * least / rational_below(s.squared_momentum(), 32));
   return support::root_near(squared, 30);
 }
 
@@ -98,9 +98,9 @@ struct body_at {
 triple<ball> solved(const initial_state& s, const triple<ball>& j) {
   triple<ball> r{ball(0, 64), ball(0, 64), ball(0, 64)};
   for (std::size_t i = 0; i < 3; ++i) {
-    triple<rational> unit{0, 0, 0};
+    triple<exact_real> unit{0, 0, 0};
     unit[i] = 1;
-    const triple<rational> column = s.tensor().solved(unit);
+    const triple<exact_real> column = s.tensor().solved(unit);
     for (std::size_t k = 0; k < 3; ++k) r[k] += j[i] * column[k];
   }
   return r;
@@ -130,7 +130,7 @@ body_at by_taylor(const body_at& at, const initial_state& s, const rational& h, 
   }
   const rational ratio(h / shortest_time(s));  // rho h, or a little more
   const magnitude left = pow(ball(ratio, 64), n).magnitude_upper();
-  const magnitude size = sqrt(ball(s.squared_momentum(), 64)).magnitude_upper();
+  const magnitude size = sqrt(s.squared_momentum().at(64)).magnitude_upper();
   const auto sum = [&](const std::vector<triple<ball>>& series, const magnitude& scale_of) {
     triple<ball> r = series.back();
     for (std::size_t k = series.size() - 1; k-- > 0;) {
@@ -185,6 +185,95 @@ TEST(Rotor, FollowsTheTaylorIntegrationFromAnyTime) {
   }
 }
 
+/// About the axis 0, 1 or 2.
+matrix3<ball> turn_about(std::size_t axis, const ball& angle) {
+  const ball zero(0, angle.precision());
+  matrix3<ball> r{{{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}}};
+  const std::size_t m = (axis + 1) % 3;
+  const std::size_t n = (axis + 2) % 3;
+  r[axis][axis] = ball(1, angle.precision());
+  r[m][m] = r[n][n] = cos(angle);
+  r[n][m] = sin(angle);
+  r[m][n] = -r[n][m];
+  return r;
+}
+
+matrix3<ball> multiplied(const matrix3<ball>& x, const matrix3<ball>& y) {
+  matrix3<ball> r;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k)
+      r[i][k] = x[i][0] * y[0][k] + x[i][1] * y[1][k] + x[i][2] * y[2][k];
+  }
+  return r;
+}
+
+/// The tensor's axes are turned against the body axes: the integration is done in those, J' = Q^T J
+/// and R' = R Q, where nothing of the turn is left.
+TEST(Rotor, FollowsTheTaylorIntegrationWithATurnedTensor) {
+  support::random_source random(4104);
+  constexpr precision bits = 300;
+  for (support::repeat trial(16); trial.again();) {
+    const auto tensor =
+        random.one_in(2)
+            ? std::make_shared<const principal_axes>(support::random_tensor(random, 12))
+            : std::make_shared<const principal_axes>(std::array<rational, 6>{
+                  random.between(2, 9), random.between(2, 9), random.between(2, 9), 0, 0, 0});
+    const auto unit = random.one_in(3) ? angle_unit::degrees : angle_unit::radians;
+    exact_rotation turn;
+    matrix3<ball> q = turn_about(0, ball(0, bits));
+    const triple<std::size_t> axes{2, random.one_in(2) ? 1U : 0U, random.one_in(2) ? 2U : 0U};
+    for (const std::size_t axis : axes) {
+      const rational angle = random.one_in(4) ? rational(0)
+                             : unit == angle_unit::degrees
+                                 ? rational(15 * random.between(-24, 24))
+                                 : rational(random.between(-50, 50), random.between(1, 20));
+      turn = turn * exact_rotation::about(axis, angle, unit);
+      const ball x = unit == angle_unit::degrees ? ball(rational(angle / 180), bits) * pi(bits)
+                                                 : ball(angle, bits);
+      q = multiplied(q, turn_about(axis, x));
+    }
+    const triple<rational> given{random.between(1, 9), rational(random.between(-9, 9), 7),
+                                 rational(random.between(10, 19), 3)};
+    const bool by_omega = random.one_in(2);
+    initial_state state = by_omega ? initial_state::from_tensor_and_velocity(tensor, given, turn)
+                                   : initial_state::from_tensor(tensor, given, turn);
+    state.set_euler_angles({1, 2, 3});
+    triple<ball> inner;
+    for (std::size_t i = 0; i < 3; ++i)
+      inner[i] = q[0][i] * given[0] + q[1][i] * given[1] + q[2][i] * given[2];
+    if (by_omega) {
+      const auto& [xx, yy, zz, xy, xz, yz] = tensor->tensor();
+      inner = {inner[0] * xx + inner[1] * xy + inner[2] * xz,
+               inner[0] * xy + inner[1] * yy + inner[2] * yz,
+               inner[0] * xz + inner[1] * yz + inner[2] * zz};
+    }
+    const rotor<ball> r(state, 90);
+    const rational h(shortest_time(state) / 2);
+    body_at at{inner, multiplied(state.attitude(bits), q)};
+    for (int step = 0; step <= 4; ++step) {
+      if (step > 0) at = by_taylor(at, state, h, 40);
+      const auto sample = r.sample(rational(step * h));
+      const triple<ball> omega = solved(state, at.momentum);
+      for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_TRUE(meet(sample.momentum[i], q[i][0] * at.momentum[0] + q[i][1] * at.momentum[1] +
+                                                 q[i][2] * at.momentum[2]))
+            << described(state);
+        EXPECT_TRUE(meet(sample.angular_velocity[i],
+                         q[i][0] * omega[0] + q[i][1] * omega[1] + q[i][2] * omega[2]))
+            << described(state);
+      }
+      EXPECT_TRUE(matrices_meet(r.attitude(rational(step * h)).matrix,
+                                multiplied(at.attitude, transposed(q))))
+          << described(state);
+    }
+    if (by_omega) {
+      const auto start = r.sample(rational(0));
+      for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_TRUE(contains(start.angular_velocity[i], given[i])) << described(state);
+    }
+  }
+}
+
 TEST(Rotor, KeepsEnergyMomentumAndOrthogonality) {
   support::random_source random(903);
   for (support::repeat trial(100); trial.again();) {
@@ -196,8 +285,8 @@ TEST(Rotor, KeepsEnergyMomentumAndOrthogonality) {
                      power_of_ten(random.between(0, 30)));
     const auto [j, omega] = r.sample(t);
     const auto attitude = r.attitude(t);
-    EXPECT_TRUE(contains(dot(j, j), s.squared_momentum())) << described(s);
-    EXPECT_TRUE(contains(dot(j, omega), s.twice_energy())) << described(s);
+    EXPECT_TRUE(contains(dot(j, j), s.squared_momentum().exact())) << described(s);
+    EXPECT_TRUE(contains(dot(j, omega), s.twice_energy().exact())) << described(s);
     const magnitude size = r.momentum_size().magnitude_lower();
     for (const ball& one : j) EXPECT_LE(one.radius(), scale(size, -p)) << described(s);
     const matrix3<ball>& m = attitude.matrix;
@@ -383,7 +472,7 @@ TEST(Rotor, SeparatrixIsElementary) {
     const rotor<ball> r(state, 200);
     EXPECT_FALSE(r.period());
     const precision p = 260;
-    const ball size = sqrt(ball(state.squared_momentum(), p));
+    const ball size = sqrt(state.squared_momentum().at(p));
     EXPECT_TRUE(meet(r.mean_precession(), size));
     const ball ratio = ball(rational(1, 2), p);  // sqrt(b/a) and sqrt(a b) are both 1/2
     const ball start = atanh(3 * ball(state.direction_signs()[1], p) / size);
@@ -429,7 +518,7 @@ TEST(Rotor, SymmetricTopsAreElementary) {
     triple<ball> in_space;
     triple<ball> body_axis{ball(0, p), ball(0, p), ball(0, p)};
     body_axis[k] = ball(1, p);
-    const ball size = sqrt(ball(exact.squared_momentum(), p));
+    const ball size = sqrt(exact.squared_momentum().at(p));
     for (std::size_t i = 0; i < 3; ++i) {
       in_space[i] = (start[i][0] * j[0] + start[i][1] * j[1] + start[i][2] * j[2]) / size;
     }
@@ -614,6 +703,67 @@ void expect_refusal(const F& f, std::string_view words) {
   } catch (const input_error& error) {
     EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
   }
+}
+
+/// Where the turn is rational, it is the turned tensor's own motion; along a principal axis the
+/// motion is steady, whatever the turn; and what is not decided is refused.
+TEST(Rotor, DecidesTheRegimeOfATurnedTensor) {
+  const auto of = [](const std::array<rational, 6>& t) {
+    return std::make_shared<const principal_axes>(t);
+  };
+  const auto tensor = of({3, 2, 1, 0, 0, 0});
+  const auto about = [](std::size_t axis, const rational& angle) {
+    return exact_rotation::about(axis, angle, angle_unit::radians);
+  };
+  const exact_rotation quarter = exact_rotation::about({1, 2, 2}, 180, angle_unit::degrees);
+  const auto turned = initial_state::from_tensor(tensor, {1, 2, 4}, quarter);
+  const auto own = initial_state::from_tensor(
+      of({rational(3 * 49 + 2 * 16 + 16, 81), rational(3 * 16 + 2 + 64, 81),
+          rational(3 * 16 + 2 * 64 + 1, 81), rational(-3 * 28 - 2 * 4 + 32, 81),
+          rational(-3 * 28 + 2 * 32 - 4, 81), rational(3 * 16 - 2 * 8 - 8, 81)}),
+      {1, 2, 4});
+  EXPECT_EQ(turned.motion().c(), own.motion().c());
+  EXPECT_EQ(turned.regime(), own.regime());
+  EXPECT_EQ(turned.squared_momentum(), 21);
+  // About z: the axis z of both is one.
+  EXPECT_EQ(initial_state::from_tensor(tensor, {0, 0, 5}, about(2, rational(3, 10))).regime(),
+            regime::equilibrium_z);
+  const auto along_x =
+      initial_state::from_tensor_and_velocity(tensor, {5, 0, 0}, about(0, rational(3, 10)));
+  EXPECT_EQ(along_x.regime(), regime::equilibrium_x);
+  EXPECT_EQ(along_x.motion().c(), rational(-1, 3));
+  EXPECT_EQ(initial_state::from_tensor(tensor, {0, 5, 0}, about(1, rational(3, 10))).regime(),
+            regime::equilibrium_y);
+  // Near them, and still decided.
+  EXPECT_EQ(
+      initial_state::from_tensor(tensor, {0, 0, 5}, about(1, rational(1, 1) * power_of_ten(-60)))
+          .regime(),
+      regime::rotating);
+  // A symmetric top: in the plane of its equal moments it is steady.
+  const auto top = of({2, 2, 1, 0, 0, 0});
+  EXPECT_EQ(initial_state::from_tensor(top, {1, 2, 0}, about(2, 1)).regime(),
+            regime::equilibrium_x);
+  EXPECT_EQ(initial_state::from_tensor_and_velocity(top, {0, 0, 2}, about(2, 1)).regime(),
+            regime::equilibrium_z);
+  EXPECT_EQ(initial_state::from_tensor_and_velocity(top, {1, 0, 2}, about(2, 1)).regime(),
+            regime::rotating);
+  EXPECT_EQ(initial_state::from_tensor(of({3, 3, 3, 0, 0, 0}), {1, 2, 3}, about(2, 1)).regime(),
+            regime::equilibrium_x);
+  // By 45 degrees (1, 1, 0) is along an axis, which is known; and along (1, 1, 0) by 22.5 twice,
+  // which is not.
+  const auto degrees = [](const rational& angle) {
+    return exact_rotation::about(2, angle, angle_unit::degrees);
+  };
+  const auto diagonal = initial_state::from_tensor(tensor, {1, 1, 0}, degrees(45));
+  EXPECT_EQ(diagonal.regime(), regime::equilibrium_x);
+  ASSERT_TRUE(diagonal.motion().c().is_rational());
+  EXPECT_EQ(diagonal.motion().c(), rational(-1, 3));
+  expect_refusal(
+      [&] {
+        (void)initial_state::from_tensor(tensor, {1, 1, 0},
+                                         degrees(rational(45, 2)) * degrees(rational(45, 2)));
+      },
+      "is not decided");
 }
 
 TEST(Rotor, RefusesWhatIsNoState) {

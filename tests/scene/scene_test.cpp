@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "polhode/arithmetic/elementary.hpp"
 #include "polhode/scene/body_file.hpp"
 #include "support/scratch_directory.hpp"
 
@@ -183,45 +184,40 @@ TEST(SceneBody, Imports) {
   refused("file = \"a.stl\"", {".urdf"});
   write("f.sdf", "<sdf><a>");
   refused("file = \"f.sdf\"", {"no XML"});
-  // Frames that are not turned, and some that are turned by what is left of an angle of 0.
+  // Frames that are not turned.
   const auto posed = [](const std::string& pose) {
     return "<sdf><model><link name='l'><inertial>" + pose +
            "<inertia><ixx>3</ixx><iyy>2</iyy><izz>1</izz></inertia></inertial></link></model></"
            "sdf>";
   };
-  const auto remarks_with = [&](const std::string& name, const std::string& text) {
+  const auto is_turned = [&](const std::string& name, const std::string& text) {
     write(name, text);
     const scene s = from("file = \"" + name + "\"");
     EXPECT_EQ(*s.body.axes->rational_moments(), (rational_vector{3, 2, 1})) << text;
-    return s.remarks.size();
+    EXPECT_TRUE(s.remarks.empty()) << text;
+    const std::array<rational, 6> diagonal{3, 2, 1, 0, 0, 0};
+    return !s.body.turn.is_identity() || s.body.axes->tensor() != diagonal;
   };
   const std::string frame = "<pose rotation_format='quat_xyzw'>";
-  EXPECT_EQ(remarks_with("i.sdf", posed(frame + "1 2 3 0 0 0 1</pose>")), 0U);
-  EXPECT_EQ(remarks_with("i.sdf", posed(frame + "1 2 3 0 0 0 -2</pose>")), 0U);
-  // A quaternion's rotation is rational, and the tensor is turned exactly.
-  EXPECT_EQ(remarks_with("i.sdf", posed(frame + "1 2 3 1e-16 0 0 1</pose>")), 0U);
-  EXPECT_EQ(remarks_with("i.sdf", posed("<pose>1 2 3 0 -1e-16 0</pose>")), 1U);
-  EXPECT_EQ(remarks_with("i.urdf",
-                         "<robot><link><inertial><origin rpy='0 0 1e-12'/><inertia ixx='3' "
-                         "iyy='2' izz='1'/></inertial></link></robot>"),
-            1U);
-  EXPECT_EQ(remarks_with("i.xml",
-                         "<mujoco><body><inertial quat='1 0 -1e-17 0' mass='1' "
-                         "diaginertia='3 2 1'/></body></mujoco>"),
-            0U);
+  EXPECT_FALSE(is_turned("i.sdf", posed(frame + "1 2 3 0 0 0 1</pose>")));
+  EXPECT_FALSE(is_turned("i.sdf", posed(frame + "1 2 3 0 0 0 -2</pose>")));
+  EXPECT_FALSE(is_turned("i.sdf", posed("<pose degrees='true'>1 2 3 0 360 0</pose>")));
+  EXPECT_FALSE(is_turned("i.sdf", posed("<pose rotation_format='euler_rpy'>1 2 3 0 0 0</pose>")));
   for (const char* identity : {"euler='0 0 0'", "axisangle='1 2 3 0'", "xyaxes='2 0 0 1 3 0'",
                                "zaxis='0 0 2'", "quat='-2 0 0 0'"}) {
-    EXPECT_EQ(remarks_with("i.xml", std::string("<mujoco><body><inertial ") + identity +
-                                        " diaginertia='3 2 1'/></body></mujoco>"),
-              0U);
+    EXPECT_FALSE(is_turned("i.xml", std::string("<mujoco><body><inertial ") + identity +
+                                        " diaginertia='3 2 1'/></body></mujoco>"))
+        << identity;
   }
-  for (const char* turned :
-       {"euler='0 1 0'", "axisangle='1 2 3 0.1'", "xyaxes='2 0 0 1 3 1'", "zaxis='0 0 -2'"}) {
-    EXPECT_EQ(remarks_with("i.xml", std::string("<mujoco><body><inertial ") + turned +
-                                        " diaginertia='3 2 1'/></body></mujoco>"),
-              1U);
-  }
-  EXPECT_EQ(remarks_with("i.sdf", posed("<pose>1 2 3 0 1e-11 0</pose>")), 1U);
+  // What a program for drawing leaves of an angle of 0 is taken as it is written.
+  EXPECT_TRUE(is_turned("i.sdf", posed(frame + "1 2 3 1e-16 0 0 1</pose>")));
+  EXPECT_TRUE(is_turned("i.sdf", posed("<pose>1 2 3 0 -1e-16 0</pose>")));
+  EXPECT_TRUE(is_turned("i.urdf",
+                        "<robot><link><inertial><origin rpy='0 0 1e-12'/><inertia ixx='3' "
+                        "iyy='2' izz='1'/></inertial></link></robot>"));
+  EXPECT_TRUE(is_turned("i.xml",
+                        "<mujoco><body><inertial quat='1 0 -1e-17 0' mass='1' "
+                        "diaginertia='3 2 1'/></body></mujoco>"));
   // Half a turn about (1, 0, 1): x and z change places, and y is turned about.
   write("j.sdf", posed(frame + "1 2 3 0.5 0 0.5 0</pose>"));
   EXPECT_EQ(from("file = \"j.sdf\"").body.axes->tensor(),
@@ -234,6 +230,8 @@ TEST(SceneBody, Imports) {
   for (const auto& [pose, word] :
        {std::pair(frame + "1 2 3 0 0 0</pose>", "must have 7"),
         std::pair(frame + "0 0 0 0 0 0 0</pose>", "must not be 0"),
+        std::pair(std::string("<pose rotation_format='rpy'>1 2 3 0 0 0</pose>"), "euler_rpy"),
+        std::pair(std::string("<pose relative_to='other'>1 2 3 0 0 0</pose>"), "relative_to"),
         std::pair(std::string("<pose>1 2 3 0 1e-11</pose>"), "must have 6")}) {
     write("j.sdf", posed(pose));
     refused("file = \"j.sdf\"", {"line 1", word});
@@ -256,6 +254,107 @@ TEST(SceneBody, Imports) {
 }
 
 // A scene is read several times by the program; a file that it names must be the same each time.
+/// Every way in which a file turns a frame, beside the same rotation by a quaternion: quarter and
+/// half turns, and turns of rational sines, which are exact in both.
+TEST(SceneBody, TurnedFrames) {
+  const support::scratch_directory directory;
+  const auto body_of = [&](const std::string& name, const std::string& text) {
+    std::ofstream(directory.path(name)) << text;
+    return read_scene("[body]\nfile = \"" + name + "\"\n" + wanting, directory.path("")).body;
+  };
+  const std::string entries =
+      "<ixx>5</ixx><iyy>4</iyy><izz>3</izz><ixy>0.1</ixy><ixz>0.2</ixz><iyz>0.3</iyz>";
+  const auto sdf = [&](const std::string& pose) {
+    return body_of("f.sdf", "<sdf><model><link name='l'><inertial>" + pose + "<inertia>" + entries +
+                                "</inertia></inertial></link></model></sdf>");
+  };
+  const auto urdf = [&](const std::string& rpy) {
+    return body_of("f.urdf", "<robot><link name='l'><inertial><origin rpy='" + rpy +
+                                 "'/><inertia ixx='5' iyy='4' izz='3' ixy='0.1' ixz='0.2' "
+                                 "iyz='0.3'/></inertial></link></robot>");
+  };
+  const auto mjcf = [&](const std::string& turn, const std::string& compiler = "") {
+    return body_of("f.xml", "<mujoco>" + compiler + "<worldbody><body><inertial " + turn +
+                                " diaginertia='5 4 3'/></body></worldbody></mujoco>");
+  };
+  const auto expect_exactly = [](const scene_body& x, const scene_body& y, const char* what) {
+    EXPECT_TRUE(x.turn.is_identity()) << what;
+    EXPECT_EQ(x.axes->tensor(), y.axes->tensor()) << what;
+  };
+  // Roll, then pitch, then yaw, about axes that are fixed.
+  const auto of_pose = [&](const char* q) {
+    return sdf("<pose rotation_format='quat_xyzw'>0 0 0 " + std::string(q) + "</pose>");
+  };
+  const auto in_degrees = [&](const char* angles) {
+    return sdf("<pose degrees='true'>0 0 0 " + std::string(angles) + "</pose>");
+  };
+  expect_exactly(in_degrees("90 0 0"), of_pose("1 0 0 1"), "roll");
+  expect_exactly(in_degrees("0 90 0"), of_pose("0 1 0 1"), "pitch");
+  expect_exactly(in_degrees("0 0 90"), of_pose("0 0 1 1"), "yaw");
+  expect_exactly(in_degrees("0 0 -90"), of_pose("0 0 -1 1"), "yaw back");
+  // The quaternion (1 + k)(1 + j)(1 + i)/sqrt 8 of yaw, pitch and roll: 2 j + 2 over that.
+  expect_exactly(in_degrees("90 90 90"), of_pose("0 1 0 1"), "all three");
+  // (1 + j)(1 + i) = 1 + i + j - k.
+  expect_exactly(in_degrees("90 90 0"), of_pose("1 1 -1 1"), "roll and pitch");
+  // MuJoCo's: in degrees, unless the compiler says otherwise; about axes that turn.
+  expect_exactly(mjcf("euler='90 0 0'"), mjcf("quat='1 1 0 0'"), "euler");
+  expect_exactly(mjcf("euler='0 0 -90'"), mjcf("quat='1 0 0 -1'"), "euler");
+  // (1 + i)(1 + j) = 1 + i + j + k; capital letters are of fixed axes: (1 + j)(1 + i).
+  expect_exactly(mjcf("euler='90 90 0'"), mjcf("quat='1 1 1 1'"), "xyz");
+  expect_exactly(mjcf("euler='90 90 0'", "<compiler eulerseq='XYZ'/>"), mjcf("quat='1 1 1 -1'"),
+                 "XYZ");
+  expect_exactly(mjcf("euler='90 0 90'", "<compiler eulerseq='zxX'/>"), mjcf("quat='1 1 -1 1'"),
+                 "a fixed axis after others");
+  expect_exactly(mjcf("euler='90 90 0'", "<compiler eulerseq='XYZ' angle='degree'/>"),
+                 mjcf("quat='1 1 1 -1'"), "degree");
+  expect_exactly(mjcf("axisangle='1 2 2 180'"), mjcf("quat='0 1 2 2'"), "half a turn");
+  expect_exactly(mjcf("axisangle='0 0 -3 90'"), mjcf("quat='1 0 0 -1'"), "axisangle");
+  expect_exactly(mjcf("xyaxes='3 4 0 -1 1 0'"), mjcf("quat='2 0 0 1'"), "xyaxes");
+  // (0, 0, 1) goes to (0, -4/5, 3/5), about x by 2 atan(1/2).
+  expect_exactly(mjcf("zaxis='0 -4 3'"), mjcf("quat='2 1 0 0'"), "zaxis");
+  expect_exactly(mjcf("zaxis='0 0 -1'"), mjcf("quat='0 1 0 0'"), "zaxis");
+  // Irrational turns: the principal axes as seen from the link, by R_z R_y R_x.
+  constexpr precision p = 100;
+  const auto turned = [&](std::size_t axis, const char* angle, const triple<ball>& v) {
+    const ball x = parse_ball(angle, p);
+    triple<ball> result = v;
+    result[(axis + 1) % 3] = cos(x) * v[(axis + 1) % 3] - sin(x) * v[(axis + 2) % 3];
+    result[(axis + 2) % 3] = sin(x) * v[(axis + 1) % 3] + cos(x) * v[(axis + 2) % 3];
+    return result;
+  };
+  const scene_body plain = urdf("0 0 0");
+  const scene_body by_angles = urdf("0.1 -0.2 0.3");
+  const scene_body of_sdf = sdf("<pose>7 8 9 0.1 -0.2 0.3</pose>");
+  for (std::size_t i = 0; i < 3; ++i) {
+    const triple<ball> expected =
+        turned(2, "0.3", turned(1, "-0.2", turned(0, "0.1", plain.axes->axis(i, p))));
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_TRUE(overlaps(by_angles.principal_axis(i, p)[k], expected[k])) << i << k;
+      EXPECT_TRUE(overlaps(of_sdf.principal_axis(i, p)[k], expected[k])) << i << k;
+    }
+    EXPECT_TRUE(overlaps(by_angles.moments()[i].at(p), plain.moments()[i].at(p)));
+  }
+  const scene_body radians = mjcf("euler='0.1 -0.2 0.3'", "<compiler angle='radian'/>");
+  const triple<ball> x =
+      turned(0, "0.1", turned(1, "-0.2", turned(2, "0.3", {ball(1, p), ball(0, p), ball(0, p)})));
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_TRUE(overlaps(radians.principal_axis(0, p)[k], x[k])) << k;
+  }
+  for (const auto& [turn, compiler, word] :
+       {std::tuple("xyaxes='1 2 3 2 4 6'", "", "parallel"),
+        std::tuple("zaxis='0 0 0'", "", "zaxis"),
+        std::tuple("axisangle='0 0 0 1'", "", "axisangle"),
+        std::tuple("euler='1 2 3'", "<compiler eulerseq='xyw'/>", "eulerseq"),
+        std::tuple("euler='1 2 3'", "<compiler eulerseq='xy'/>", "eulerseq")}) {
+    try {
+      (void)mjcf(turn, compiler);
+      ADD_FAILURE() << turn << " was accepted";
+    } catch (const input_error& error) {
+      EXPECT_NE(std::string_view(error.what()).find(word), std::string_view::npos) << error.what();
+    }
+  }
+}
+
 TEST(SceneBody, ImportedFilesAreReadOnce) {
   const support::scratch_directory directory;
   const std::string path = directory.path("body.json");

@@ -46,11 +46,11 @@ class exact_real {
   /// The number to p bits: with a relative radius below 2^-p but for the last rounding. Undefined
   /// where that takes more than most_bits, as of an irrational number less an equal one that was
   /// computed otherwise.
-  [[nodiscard]] ball at(precision p) const;
-  /// The sign: of an irrational number never 0. Throws std::domain_error where most_bits do not
-  /// decide.
-  [[nodiscard]] int sign() const;
+  [[nodiscard]] ball at(precision p) const { return at(p, most_bits); }
   static constexpr precision most_bits = 1L << 20;
+  /// The sign: of an irrational number never 0. Throws std::domain_error where so many bits do not
+  /// decide, as of a number that is 0 and not known to be rational.
+  [[nodiscard]] int sign(precision most = most_bits) const;
 
   friend exact_real operator+(const exact_real& x, const exact_real& y);
   friend exact_real operator-(const exact_real& x, const exact_real& y);
@@ -90,6 +90,7 @@ class exact_real {
   static exact_real combined(const exact_real& x, const exact_real& y, const Operation& operation);
   /// A number with the sign of the difference from q.
   [[nodiscard]] int compare(const rational& q) const;
+  [[nodiscard]] ball at(precision p, precision most) const;
   /// With what cancels.
   [[nodiscard]] ball rough(precision p) const;
 

@@ -107,8 +107,8 @@ using further_functions = std::vector<further_function>;
 [[nodiscard]] const std::vector<expression_constant>& expression_constants();
 [[nodiscard]] const std::vector<expression_alias>& expression_aliases();
 
-/// Whether the text is a name of infinity: inf, infinity or oo, in any case of letters. No formula
-/// has it; limits do.
+/// Whether the text is a name of infinity: inf, infinity or oo, in any case of letters, or its sign
+/// in UTF-8. No formula has it; limits do.
 [[nodiscard]] bool is_infinity(std::string_view text);
 
 }  // namespace polhode

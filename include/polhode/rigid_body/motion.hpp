@@ -59,6 +59,8 @@ class motion {
   [[nodiscard]] exact_real lambda2() const;
   /// m_1 = 1 - m, in [0, 1]; 0 on the separatrix alone.
   [[nodiscard]] exact_real m1() const;
+  /// m, 0 exactly where two moments are equal.
+  [[nodiscard]] exact_real m() const;
   /// kappa >= 0.
   [[nodiscard]] exact_real kappa() const;
   /// A^2, B^2, C^2: the greatest values of J_x^2/J^2, J_y^2/J^2, J_z^2/J^2.

@@ -24,6 +24,7 @@ struct axis_order {
 class principal_axes {
  public:
   using vector = std::array<rational, 3>;
+  using exact_vector = std::array<exact_real, 3>;
 
   /// The entries xx, yy, zz, xy, xz, yz. Throws input_error where a principal moment is not
   /// positive, and as inertia_tensor does where an entry has too many bits.
@@ -46,17 +47,19 @@ class principal_axes {
   [[nodiscard]] std::optional<axis_order> along_given_axes() const;
   /// v_i to about p bits, i = 0 for x.
   [[nodiscard]] std::array<ball, 3> axis(std::size_t i, precision p) const;
-  /// (v_i w)^2; a rational 0 where it is 0.
-  [[nodiscard]] exact_real square_along(std::size_t i, const vector& w) const;
-  /// The sign of v_i w: -1, 0 or 1.
-  [[nodiscard]] int sense_along(std::size_t i, const vector& w) const;
+  /// (v_i w)^2; a rational 0 where w is rational and it is 0.
+  [[nodiscard]] exact_real square_along(std::size_t i, const exact_vector& w) const;
+  /// The sign of v_i w: -1, 0 or 1. Throws std::domain_error where w is irrational and
+  /// most_bits_of_sense do not decide.
+  [[nodiscard]] int sense_along(std::size_t i, const exact_vector& w) const;
+  static constexpr precision most_bits_of_sense = 1L << 15;
 
   /// The entries of v_i v_i^T, the projector onto the axis.
   [[nodiscard]] std::array<exact_real, 6> projector(std::size_t i) const;
 
   /// The tensor times a vector, and its inverse times a vector.
-  [[nodiscard]] vector times(const vector& w) const;
-  [[nodiscard]] vector solved(const vector& w) const;
+  [[nodiscard]] exact_vector times(const exact_vector& w) const;
+  [[nodiscard]] exact_vector solved(const exact_vector& w) const;
 
  private:
   /// An axis is along a rational vector, which need not be of length 1, or it is irrational; then
@@ -68,7 +71,8 @@ class principal_axes {
   void set_along_given_axes();
   void set_symmetric(const vector& moments);
   void set_different();
-  [[nodiscard]] exact_real projected(std::size_t i, const vector& u, const vector& w) const;
+  [[nodiscard]] exact_real projected(std::size_t i, const exact_vector& u,
+                                     const exact_vector& w) const;
   /// v_z as it would be by the rule of v_x and v_y, times this, makes the frame right-handed.
   [[nodiscard]] int orientation() const;
   [[nodiscard]] std::array<ball, 3> unoriented(std::size_t i, precision p) const;

@@ -25,24 +25,11 @@
 #include <optional>
 
 #include "polhode/arithmetic/boost_bridge.hpp"
+#include "polhode/rigid_body/exact_rotation.hpp"
 #include "polhode/rigid_body/motion.hpp"
 #include "polhode/rigid_body/principal_axes.hpp"
 
 namespace polhode {
-
-template <class T>
-using triple = std::array<T, 3>;
-/// By rows.
-template <class T>
-using matrix3 = std::array<std::array<T, 3>, 3>;
-
-enum class angle_unit { radians, degrees };
-
-/// Throws input_error for what is no rotation: rows with R R^T not exactly 1, or of determinant -1.
-void refuse_unless_rotation(const matrix3<rational>& rows);
-
-/// v -> q v q^*/|q|^2 of a quaternion w + x i + y j + z k, by rows. Throws input_error for 0.
-[[nodiscard]] matrix3<rational> rotation_of(const std::array<rational, 4>& wxyz);
 
 /// A body with its motion at time 0, exact.
 class initial_state {
@@ -54,9 +41,16 @@ class initial_state {
                                      const triple<rational>& momentum);
   static initial_state from_angular_velocity(const triple<rational>& moments,
                                              const triple<rational>& omega);
-  /// The same of a body by its inertia tensor, and J in the axes of the tensor.
+  /// The same of a body by its inertia tensor, with J or omega in the body axes. The tensor is
+  /// given in axes of its own: `turn` takes coordinates along these to those along the body axes.
+  /// Throws input_error, too, where the turn is irrational and the sign of a component of J along a
+  /// principal axis, or of c, is not decided.
   static initial_state from_tensor(std::shared_ptr<const principal_axes> tensor,
-                                   const triple<rational>& momentum);
+                                   const triple<rational>& momentum,
+                                   const exact_rotation& turn = {});
+  static initial_state from_tensor_and_velocity(std::shared_ptr<const principal_axes> tensor,
+                                                const triple<rational>& omega,
+                                                const exact_rotation& turn = {});
   /// The momentum by the squares of its components and their signs -1, 0, 1: the components
   /// themselves may be irrational. Throws input_error, too, where these contradict each other.
   static initial_state from_squared_momentum(const triple<rational>& moments,
@@ -77,11 +71,11 @@ class initial_state {
   void set_euler_angles(const triple<rational>& angles, angle_unit unit = angle_unit::radians,
                         const triple<int>& axes = {2, 0, 2});
 
-  /// The tensor with its principal axes, before the half turns.
+  /// The tensor with its principal axes, in the axes in which it is given, before the half turns.
   [[nodiscard]] const principal_axes& tensor() const { return *axes_; }
   /// J^2 and 2 H.
-  [[nodiscard]] const rational& squared_momentum() const { return squared_momentum_; }
-  [[nodiscard]] const rational& twice_energy() const { return twice_energy_; }
+  [[nodiscard]] const exact_real& squared_momentum() const { return squared_momentum_; }
+  [[nodiscard]] const exact_real& twice_energy() const { return twice_energy_; }
   /// The motion with its a, b and c: a >= 0 and 0 <= b < 1 are 0 where moments are equal.
   [[nodiscard]] const polhode::motion& motion() const { return motion_; }
   /// That of the motion, but equilibrium_y where J is exactly along y. An equilibrium is J parallel
@@ -97,26 +91,26 @@ class initial_state {
   [[nodiscard]] const triple<exact_real>& direction_squares() const { return squares_; }
   [[nodiscard]] const triple<int>& direction_signs() const { return senses_; }
   /// R at time 0, to about p bits.
-  [[nodiscard]] matrix3<ball> attitude(precision p) const;
+  [[nodiscard]] matrix3<ball> attitude(precision p) const { return attitude_.matrix(p); }
 
  private:
   explicit initial_state(std::shared_ptr<const principal_axes> axes) : axes_(std::move(axes)) {}
+  /// From J and omega in the axes of the tensor.
+  void settle(const triple<exact_real>& momentum, const triple<exact_real>& omega);
   /// From J^2 and 2 H, and the squares, over J^2, and signs of J's components in the principal
   /// axes.
   void settle();
 
   std::shared_ptr<const principal_axes> axes_;
-  rational squared_momentum_;
-  rational twice_energy_;
+  exact_rotation turn_;
+  exact_real squared_momentum_ = 0;
+  exact_real twice_energy_ = 0;
   polhode::motion motion_{0, 0, 0};
   polhode::regime regime_ = motion_.regime();
   triple<int> signs_{1, 1, 1};
   triple<exact_real> squares_{0, 0, 0};
   triple<int> senses_{0, 0, 0};
-  matrix3<rational> matrix_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  std::optional<triple<rational>> angles_;  // in the place of matrix_
-  angle_unit unit_ = angle_unit::radians;
-  triple<int> angle_axes_{2, 0, 2};
+  exact_rotation attitude_;
 };
 
 /// In the body axes.

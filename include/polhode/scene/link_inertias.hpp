@@ -19,7 +19,7 @@ struct link_inertia {
   long line = 0;  // of its <inertial>
   /// What keeps it from being a body's; then the rest has no meaning. Empty where nothing does.
   std::string problem;
-  /// As it is written, in the link's own axes: xx, yy, zz, xy, xz, yz.
+  /// As it is written, in the axes of the inertia's own frame: xx, yy, zz, xy, xz, yz.
   std::array<rational, 6> tensor{};
   body_kind kind = body_kind::undecided;
   /// I_x >= I_y >= I_z.

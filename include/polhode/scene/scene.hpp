@@ -32,9 +32,12 @@ struct body_solid {
 struct scene_body {
   std::string name;
   std::string source;
-  /// The tensor about the axes in which the body was given, in `size` kg m^2 where has_unit, else
+  /// The tensor about the axes in which it is written, in `size` kg m^2 where has_unit, else
   /// relative, with its principal moments and axes.
   std::shared_ptr<const principal_axes> axes;
+  /// From the axes of the tensor to those in which the body was given; not the identity only where
+  /// it is irrational.
+  exact_rotation turn;
   pi_scale size;
   bool has_unit = false;
   /// Where uncertainties were given; and the moments' own, in the order of `moments`: each in value
@@ -50,6 +53,8 @@ struct scene_body {
 
   /// I_x >= I_y >= I_z.
   [[nodiscard]] const std::array<exact_real, 3>& moments() const { return axes->moments(); }
+  /// The unit vector along the i-th principal axis, in the axes in which the body was given.
+  [[nodiscard]] triple<ball> principal_axis(std::size_t i, precision p) const;
 };
 
 /// The state at time 0.
@@ -57,9 +62,11 @@ struct scene_state {
   /// With c = 2 I_y H/J^2 - 1 in [-b, a]. Where the body has three different moments.
   std::optional<polhode::motion> motion;
   /// The angular momentum in the axes in which the body was given, in units of momentum_size,
-  /// absolute where the time is; and the rotor's start, with the attitude, from that frame to that
-  /// of space. Missing where the motion was given by c alone.
-  std::optional<rational_vector> momentum;
+  /// absolute where the time is, the angular velocity in momentum_size over the body's size, and
+  /// the rotor's start, with the attitude, from that frame to that of space. Missing where the
+  /// motion was given by c alone.
+  std::optional<triple<exact_real>> momentum;
+  std::optional<triple<exact_real>> omega;
   /// Whether the angular velocity was given: then that is the same for all bodies within the
   /// uncertainties, and else the momentum.
   bool by_omega = false;

@@ -46,10 +46,10 @@ ball exact_real::rough(precision p) const {
   return found;
 }
 
-ball exact_real::at(precision p) const {
+ball exact_real::at(precision p, precision most) const {
   if (rational_) return ball(*rational_, p);
   constexpr precision few = 16;
-  for (precision bits = p + few; bits <= std::max(most_bits, 2 * p); bits += bits / 2 + 64) {
+  for (precision bits = p + few; bits <= std::max(most, 2 * p); bits += bits / 2 + 64) {
     const ball x = rough(bits);
     if (x.is_bounded() && x.radius() <= scale(x.magnitude_lower(), -p - 1)) {
       return x.with_precision(p);
@@ -58,10 +58,10 @@ ball exact_real::at(precision p) const {
   return ball::undefined(p);
 }
 
-int exact_real::sign() const {
+int exact_real::sign(precision most) const {
   if (rational_) return rational_->sign();
   constexpr precision first = 64;
-  const ball x = at(first);
+  const ball x = at(first, most);
   if (certainly_positive(x)) return 1;
   if (certainly_negative(x)) return -1;
   throw std::domain_error("exact_real: the sign of a number is not decided");
@@ -76,8 +76,10 @@ exact_real exact_real::combined(const exact_real& x, const exact_real& y,
                                 const Operation& operation) {
   if (x.rational_ && y.rational_)
     return exact_real(rational(operation(*x.rational_, *y.rational_)));
-  return irrational([x, y, operation](precision p) { return ball(operation(x.at(p), y.at(p))); },
-                    size_in_bits(x) + size_in_bits(y));
+  // Of what cancels in an operand only this operation's own result can tell how much it matters.
+  return irrational(
+      [x, y, operation](precision p) { return ball(operation(x.rough(p), y.rough(p))); },
+      size_in_bits(x) + size_in_bits(y));
 }
 
 exact_real operator+(const exact_real& x, const exact_real& y) {

@@ -52,6 +52,8 @@ std::pair<std::string, std::string> range_option::ends_of(const std::string& opt
 
 int infinite_sign_of(const std::string& text) {
   std::string given = without_margins(text);
+  constexpr std::string_view typeset_minus = "\u2212";
+  if (given.starts_with(typeset_minus)) given.replace(0, typeset_minus.size(), "-");
   const bool has_sign = !given.empty() && (given.front() == '-' || given.front() == '+');
   const int sign = has_sign && given.front() == '-' ? -1 : 1;
   if (has_sign) given = without_margins(given.substr(1));

@@ -65,7 +65,7 @@ json axes_of(const scene_body& of) {
   json result = json::array();
   for (std::size_t i = 0; i < 3; ++i) {
     json one = json::array();
-    for (const ball& x : of.axes->axis(i, 64)) one.push_back(drawn(x));
+    for (const ball& x : of.principal_axis(i, 64)) one.push_back(drawn(x));
     result.push_back(std::move(one));
   }
   return result;
