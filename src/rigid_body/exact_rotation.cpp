@@ -116,7 +116,7 @@ exact_rotation exact_rotation::of_columns(const matrix3<rational>& columns) {
 }
 
 exact_rotation exact_rotation::of_turn(turn one) {
-  if (one.sine == 0 && one.cosine.is_rational() && one.cosine == one.divisor) return {};
+  if (one.sine.is_rational() && one.sine == 0 && one.cosine == one.divisor) return {};
   return exact_rotation(factor{std::nullopt, std::move(one)});
 }
 
@@ -155,9 +155,10 @@ exact_rotation exact_rotation::about(const triple<rational>& axis, const rationa
   if (is_zero(axis)) throw input_error("a rotation's axis 0, 0, 0: one component must not be 0");
   const triple<rational> across = cross(axis, {0, 0, 1});
   if (is_zero(across)) return about(2, axis[2] > 0 ? angle : rational(-angle), unit);
-  const exact_rotation turned = about(2, angle, unit);
+  exact_rotation turned = about(2, angle, unit);
   if (turned.is_identity()) return turned;
-  if (exact_sine(angle, unit) == 0) {  // by 180 degrees
+  const exact_real sine = exact_sine(angle, unit);
+  if (sine.is_rational() && sine == 0) {  // by 180 degrees
     return of_quaternion({0, axis[0], axis[1], axis[2]});
   }
   const exact_rotation to = of_columns({across, cross(axis, across), axis});
@@ -184,8 +185,8 @@ exact_rotation exact_rotation::with_third_axis(const triple<rational>& z) {
 }
 
 exact_rotation operator*(const exact_rotation& x, const exact_rotation& y) {
-  exact_rotation result = x;
-  result.factors_.insert(result.factors_.end(), y.factors_.begin(), y.factors_.end());
+  exact_rotation result = y;
+  result.factors_.insert(result.factors_.end(), x.factors_.begin(), x.factors_.end());
   return result;
 }
 
@@ -203,9 +204,9 @@ exact_rotation exact_rotation::inverse() const {
 }
 
 triple<exact_real> exact_rotation::of(triple<exact_real> v) const {
-  for (auto one = factors_.rbegin(); one != factors_.rend(); ++one) {
-    if (!one->by_columns) {
-      const turn& by = one->by_angle;
+  for (const factor& one : factors_) {
+    if (!one.by_columns) {
+      const turn& by = one.by_angle;
       exact_real& m = v[(by.axis + 1) % 3];
       exact_real& n = v[(by.axis + 2) % 3];
       const exact_real before = m;
@@ -213,7 +214,7 @@ triple<exact_real> exact_rotation::of(triple<exact_real> v) const {
       n = (by.sine * before + by.cosine * n) / by.divisor;
       continue;
     }
-    const auto& [columns, squares, is_inverse] = *one->by_columns;
+    const auto& [columns, squares, is_inverse] = *one.by_columns;
     triple<exact_real> to{0, 0, 0};
     for (std::size_t i = 0; i < 3; ++i) {
       const exact_real length = root_of(squares[i]);
@@ -233,10 +234,10 @@ matrix3<ball> exact_rotation::matrix(precision p) const {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) result[i][k] = ball(i == k ? 1 : 0, p);
   }
-  for (auto one = factors_.rbegin(); one != factors_.rend(); ++one) {
+  for (const factor& one : factors_) {
     matrix3<ball> rows;
-    if (one->by_columns) {
-      const auto& [columns, squares, is_inverse] = *one->by_columns;
+    if (one.by_columns) {
+      const auto& [columns, squares, is_inverse] = *one.by_columns;
       for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
           const ball entry = columns[i][k] / root_of(squares[i]).at(p);
@@ -244,7 +245,7 @@ matrix3<ball> exact_rotation::matrix(precision p) const {
         }
       }
     } else {
-      const turn& by = one->by_angle;
+      const turn& by = one.by_angle;
       const std::size_t m = (by.axis + 1) % 3;
       const std::size_t n = (by.axis + 2) % 3;
       for (auto& row : rows) row.fill(ball(0, p));

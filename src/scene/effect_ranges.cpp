@@ -249,6 +249,33 @@ class ranges_of_effect {
     add("least_axis", body_rate, per_time);
   }
 
+  /// Flips are half a period apart: in a time D there are floor(D/spacing) or one more.
+  void flips() {
+    if (!has_motions()) return;
+    const ball spacing = of_motions(fine, [](const motions& m) { return scale(m.time(), -1); });
+    if (!spacing.is_bounded()) {
+      return not_certified(to_,
+                           "the range of spacing was not enclosed: the separatrix may lie "
+                           "within the uncertainties");
+    }
+    add("spacing", spacing, x_.what.time_unit.name);
+    if (!x_.what.time) return;
+    const ball times = ball(rational(x_.what.time->to - x_.what.time->from), bits()) / spacing;
+    if (!times.is_bounded()) return;
+    const rational least(floor_of(lower_rational(times)));
+    const rational most(floor_of(upper_rational(times)) + 1);
+    add("count", in_range({std::max(least, rational(0)), most}, bits()));
+  }
+
+  /// I_y/(|J| sqrt(a b)) of every body. The derivatives have no range.
+  void sensitivity() {
+    const ball time = of_motions(fine, [&](const motions& m) {
+      const ball growth2 = in_range(m.box.a(), bits()) * in_range(m.box.b(), bits());
+      return unit_of_time(x_, m.cell, bits()) / sqrt(growth2);
+    });
+    add("e_folding_time_at_middle_axis", time, x_.what.time_unit.name);
+  }
+
  private:
   [[nodiscard]] precision bits() const { return bits_for_digits(x_.digits()) + 64; }
 
@@ -385,6 +412,8 @@ void add_ranges(effect_result& to, const effect_context& x) {
       {"period", &ranges_of_effect::period},
       {"montgomery_phase", &ranges_of_effect::montgomery_phase},
       {"mean_precession", &ranges_of_effect::mean_precession},
+      {"flips", &ranges_of_effect::flips},
+      {"sensitivity", &ranges_of_effect::sensitivity},
   };
   const auto found = functions.find(to.name);
   if (found == functions.end()) return;

@@ -91,7 +91,7 @@ class exact_rotation {
   [[nodiscard]] static exact_rotation of_turn(turn one);
   [[nodiscard]] static exact_rotation of_columns(const matrix3<rational>& columns);
 
-  std::vector<factor> factors_;  // the last one first
+  std::vector<factor> factors_;  // that turns first is the first
 };
 
 }  // namespace polhode
