@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "boxes.hpp"
+#include "by_substitution.hpp"
 #include "hardware_system.hpp"
+#include "place_of.hpp"
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/interval.hpp"
 #include "polhode/arithmetic/text.hpp"
@@ -409,38 +411,8 @@ bool system_root_set::is_resolved() const {
 
 namespace {
 
-enum class place { inside, outside, undecided };
-
-bool certainly_at_most(const ball& x, const rational& y) {
-  return certainly_less_equal(x, ball(y, x.precision() + 64));
-}
-bool certainly_at_least(const ball& x, const rational& y) {
-  return certainly_less_equal(ball(y, x.precision() + 64), x);
-}
-bool certainly_at_most(const rational& x, const rational& y) { return x <= y; }
-bool certainly_at_least(const rational& x, const rational& y) { return x >= y; }
-bool certainly_beyond(const ball& x, const system_side& side) {
-  const precision p = x.precision() + 64;
-  return (side.first && certainly_less(x, ball(*side.first, p))) ||
-         (side.second && certainly_less(ball(*side.second, p), x));
-}
-bool certainly_beyond(const rational& x, const system_side& side) {
-  return (side.first && x < *side.first) || (side.second && x > *side.second);
-}
-
-/// Where a point, of balls or of rational numbers, lies.
-template <class T>
-place place_of(const std::vector<T>& x, const system_box& box) {
-  place r = place::inside;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const auto& [low, high] = box[i];
-    if (certainly_beyond(x[i], box[i])) return place::outside;
-    const bool is_inside =
-        (!low || certainly_at_least(x[i], *low)) && (!high || certainly_at_most(x[i], *high));
-    if (!is_inside) r = place::undecided;
-  }
-  return r;
-}
+using detail::place;
+using detail::place_of;
 
 /// A root in the box: a point of short rational numbers, at which each formula is 0 by exact rules.
 std::optional<std::vector<rational>> exact_zero(const real_system& f, const vector& box) {
@@ -499,6 +471,10 @@ std::optional<std::vector<system_region>> system_search::regions_of(detail::comm
       system_region r;
       r.verdict = verdict;
       r.enclosure = detail::enclosure_of(at, p);
+      r.enclose = [at = at](precision bits) {
+        auto own = at;
+        return detail::enclosure_of(own, bits);
+      };
       r.box = solutions->size() == 1 ? box : r.enclosure;
       const auto is_near = [&](const system_region& other) {
         return all_overlap(other.box, r.enclosure);
@@ -616,20 +592,36 @@ system_root_set system_search::result() const {
   return result;
 }
 
-system_root_set solve_system(const real_system& f, system_box box, const system_options& options) {
-  system_search s(f, std::move(box));
-  // After some boxes elimination may solve what is left.
+system_root_set solve_system(const real_system& f, const system_box& box,
+                             const system_options& options) {
+  system_search s(f, box);
+  // After some boxes another way may solve what is left: substitution, or elimination in result().
+  constexpr long few = 1'000;
   constexpr long many = 20'000;
-  system_options first = options;
-  first.most_boxes = std::min(options.most_boxes, many);
-  s.run(first);
-  system_root_set found = s.result();
-  const bool has_met_limit = found.account.boxes >= many && options.most_boxes > many;
-  if (found.complete || !has_met_limit) return found;
-  system_options rest = options;
-  rest.most_boxes -= many;
-  s.run(rest);
-  return s.result();
+  long done = 0;
+  system_root_set found;
+  const auto run_to = [&](long boxes) {
+    system_options part = options;
+    part.most_boxes = std::min(options.most_boxes, boxes) - done;
+    s.run(part);
+    done += part.most_boxes;
+    found = s.result();
+    return found.is_resolved() || s.is_finished() || found.account.boxes < done;
+  };
+  if (detail::has_explicit_equation(f)) {
+    (void)run_to(few);
+    if (found.is_resolved()) return found;
+    if (auto others = detail::solved_by_substitution(f, box, options)) {
+      others->account.boxes += found.account.boxes;
+      others->account.evaluations += found.account.evaluations;
+      return *others;
+    }
+  }
+  for (const long boxes : {many, options.most_boxes}) {
+    if (done < std::min(boxes, options.most_boxes) && run_to(boxes)) break;
+    if (found.complete) break;
+  }
+  return found;
 }
 
 }  // namespace polhode

@@ -12,7 +12,6 @@
 
 #include "boxes.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "polynomial/common_zeros.hpp"
 
 namespace polhode {
 namespace {
@@ -136,14 +135,6 @@ refined_system_root refine(const real_system& f, const system_region& region, lo
   refined_system_root r;
   r.enclosure = region.enclosure;
   const precision goal = bits_for_digits(digits) + 8;
-  if (region.verdict == root_verdict::multiple) {
-    auto found = detail::common_zeros(f.components()).in(region.box);
-    if (!found || found->size() != 1) return r;
-    r.enclosure = detail::enclosure_of(found->front().at, goal);
-    r.verdict = status::certified;
-    return r;
-  }
-  if (region.verdict != root_verdict::unique) return r;
   const auto bits_of = [&](const vector& x) {  // how narrow the widest component is beside its size
     std::int64_t least = goal;
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -154,6 +145,12 @@ refined_system_root refine(const real_system& f, const system_region& region, lo
     }
     return least;
   };
+  if (region.enclose) {
+    r.enclosure = region.enclose(goal);
+    if (bits_of(r.enclosure) >= goal - 4) r.verdict = status::certified;
+    return r;
+  }
+  if (region.verdict != root_verdict::unique) return r;
   constexpr precision guard = 32;
   precision more = guard;  // for what cancels
   while (true) {

@@ -447,6 +447,135 @@ TEST(systems, of_conics_that_touch_or_nearly_do) {
   });
 }
 
+/// v = g(u), and a product of u - r_1, ..., or of their squares, with what is positive, or with a
+/// multiple of v - g added: the zeros are the points (r_i, g(r_i)) at which g is defined.
+struct explicit_case {
+  enum class form { parabola, pole, kink, branch, exponential };
+  form what = form::parabola;
+  rational a, b, s;
+  std::vector<std::pair<rational, bool>> roots;  // with a square
+  long mixed = 0;
+  bool turned = false;  // u is the second variable
+  system_box box;
+
+  template <class T>
+  T g(const T& u) const {
+    switch (what) {
+      case form::pole:
+        return a / (u - s) + b;
+      case form::kink:
+        return a * abs(u - s) + b;
+      case form::branch:
+        return a * sqrt(u - s) + b;
+      case form::exponential:
+        return a * exp(u - s) + b * u;
+      case form::parabola:
+        break;
+    }
+    return a * square(u) + b * u;
+  }
+  template <class T>
+  std::vector<T> operator()(const std::vector<T>& x) const {
+    const T& u = x[turned ? 1 : 0];
+    const T& v = x[turned ? 0 : 1];
+    T product = exp(u);
+    for (const auto& [r, is_square] : roots) {
+      product = product * (is_square ? square(u - r) : T(u - r));
+    }
+    const T difference = v - g(u);
+    switch (mixed) {
+      case 1:
+        product = product * (1 + square(v));
+        break;
+      case 2:
+        product = product * exp(v / 3);
+        break;
+      case 3:
+        product = product + difference * (v + 3);
+        break;
+      default:
+        break;
+    }
+    return {difference * rational(3, 2), product};
+  }
+};
+
+explicit_case any_explicit(maker& m) {
+  explicit_case c;
+  c.what =
+      m.any_of({explicit_case::form::parabola, explicit_case::form::pole, explicit_case::form::kink,
+                explicit_case::form::branch, explicit_case::form::exponential});
+  const auto any = [&] { return rational(m.between(-12, 12), m.between(1, 4)); };
+  c.a = any() + rational(1, 5);
+  c.b = any();
+  c.s = rational(m.between(-3, 3), 2);
+  for (long k = m.between(1, 3); k > 0; --k) {
+    const rational r = m.one_in(5) ? c.s : rational(m.between(-40, 40), 10);
+    const bool is_new = std::ranges::none_of(c.roots, [&](const auto& x) { return x.first == r; });
+    if (is_new) c.roots.emplace_back(r, m.one_in(2));
+  }
+  c.mixed = m.one_in(8) ? 3 : m.between(0, 2);
+  c.turned = m.one_in(2);
+  for (int i = 0; i < 2; ++i) {
+    c.box.emplace_back(rational(m.between(-60, -1), 10), rational(m.between(1, 60), 10));
+    if (m.one_in(3)) c.box.back().first = std::nullopt;
+    if (m.one_in(3)) c.box.back().second = std::nullopt;
+  }
+  return c;
+}
+
+TEST(systems, of_an_explicit_equation_have_the_known_roots) {
+  run_cases("roots", "systems of an explicit equation", 60, [](std::uint64_t seed, counts& c) {
+    maker m(seed);
+    const explicit_case given = any_explicit(m);
+    under_way(fmt::format("a system with the seed {}", seed));
+    ++c.cases;
+    const real_system f(given, 2);
+    const system_root_set found = solve_system(f, given.box, {.most_boxes = 3'000});
+    ++c.computed;
+    ++(found.is_resolved() ? c.certified : c.refused);
+    const auto fail = [&, seed = seed](const std::string& why) {
+      ++c.wrong;
+      ADD_FAILURE() << "with the seed " << seed << ": " << why;
+    };
+    long expected = 0;
+    for (const auto& [r, is_square] : given.roots) {
+      const ball v = given.g(ball(r, 200));
+      if (!v.is_bounded()) continue;
+      std::vector<ball> at{ball(r, 200), v};
+      if (given.turned) std::swap(at[0], at[1]);
+      bool is_inside = true;
+      for (std::size_t i = 0; i < 2; ++i) {
+        const auto& [low, high] = given.box[i];
+        is_inside = is_inside && (!low || !certainly_less(at[i], ball(*low, 300))) &&
+                    (!high || !certainly_less(ball(*high, 300), at[i]));
+      }
+      long claimed = 0;
+      long open = 0;
+      for (const system_region& region : found.regions) {
+        const auto& set = is_one_root(region.verdict) ? region.enclosure : region.box;
+        if (!overlaps(set[0], at[0]) || !overlaps(set[1], at[1])) continue;
+        ++(is_one_root(region.verdict) ? claimed : open);
+        // Beside a kink a root may be said to be isolated.
+        const auto denied = is_square ? root_verdict::unique : root_verdict::multiple;
+        if (r != given.s && region.verdict == denied) {
+          fail("a root is said to be " + to_text(region.verdict));
+        }
+      }
+      ++c.checks;
+      expected += is_inside ? 1 : 0;
+      if (claimed > 1) fail("a root is counted twice");
+      if (is_inside && claimed + open == 0) fail("a root is missing");
+      if (!is_inside && claimed > 0) fail("a root outside is counted");
+    }
+    const auto claimed = std::ranges::count_if(
+        found.regions, [](const system_region& r) { return is_one_root(r.verdict); });
+    ++c.checks;
+    if (claimed > expected) fail("there are more roots than known");
+    if (found.is_resolved() && claimed != expected) fail("a root is missing");
+  });
+}
+
 TEST(systems, keep_the_root_that_was_planted) {
   run_cases("roots", "systems with a planted root", 60, [](std::uint64_t seed, counts& c) {
     maker m(seed);

@@ -224,7 +224,8 @@ TEST(SolveSystem, InBoxesWithoutEnds) {
   };
   expect_roots(solve_system(polynomials, all), 2);
   // With a coefficient that is not rational.
-  const real_system unbounded({parse("pi*x^2 - y", {"x", "y"}), parse("y^2 - x", {"x", "y"})});
+  const real_system unbounded(
+      {parse("pi*x^2 - y^3 - y", {"x", "y"}), parse("y^2 - x - x^3", {"x", "y"})});
   const system_root_set s = solve_system(unbounded, all);
   EXPECT_FALSE(s.is_resolved());
   EXPECT_TRUE(one_holds(s, {0, 0}));

@@ -20,7 +20,9 @@
 // Krawczyk's operator proves no multiple roots. Those of polynomials with rational coefficients are
 // proved by elimination: the coordinates of a root are roots of polynomials of one variable each,
 // and whether the equations, and the determinant of their derivatives, are 0 at such a point is
-// decided exactly.
+// decided exactly. Where an equation is v = g for a variable v and a formula g without it, and the
+// search leaves something open, g takes the place of v in the other equations
+// (src/roots/by_substitution.hpp): two equations are then one in one variable.
 
 #include <functional>
 #include <optional>
@@ -101,6 +103,8 @@ struct system_region {
   bool may_lie_outside =
       false;           // it is not decided on which side of the given box's faces the root lies
   std::string remark;  // why it is not resolved
+  /// Where the root was found otherwise than by Krawczyk's method: encloses it with about p bits.
+  std::function<std::vector<ball>(precision p)> enclose = {};
 };
 
 struct system_root_set {
@@ -158,15 +162,14 @@ class system_search {
 };
 
 /// The roots of f in the box, faces included.
-[[nodiscard]] system_root_set solve_system(const real_system& f, system_box box,
+[[nodiscard]] system_root_set solve_system(const real_system& f, const system_box& box,
                                            const system_options& options = {});
 
 /// The same of a generic function of a std::vector.
 template <class F>
-[[nodiscard]] system_root_set solve_system(const F& f, system_box box,
+[[nodiscard]] system_root_set solve_system(const F& f, const system_box& box,
                                            const system_options& options = {}) {
-  const real_system system(f, box.size());
-  return solve_system(system, std::move(box), options);
+  return solve_system(real_system(f, box.size()), box, options);
 }
 
 struct refined_system_root {
@@ -178,10 +181,9 @@ struct refined_system_root {
   int evaluations_of_jacobian = 0;
 };
 
-/// The root of a region with one root to `digits` digits: a multiple one by its coordinates'
-/// polynomials, another by Krawczyk's method, with f(m) at the precision
-/// of each step and the Jacobian and its inverse at half of it; the precision doubles from step to
-/// step.
+/// The root of a region with one root to `digits` digits: by its `enclose`, where it has that, or
+/// by Krawczyk's method, with f(m) at the precision of each step and the Jacobian and its inverse
+/// at half of it; the precision doubles from step to step.
 [[nodiscard]] refined_system_root refine(const real_system& f, const system_region& region,
                                          long digits);
 /// The same of a generic function of a std::vector.
