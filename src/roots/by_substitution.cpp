@@ -120,13 +120,13 @@ std::optional<reduced_roots> roots_of_several(const std::vector<expression>& com
 class substitution {
  public:
   substitution(const real_system& f, std::size_t equation, std::size_t variable, const rational& c)
-      : f_(f), equation_(equation), variable_(variable) {
+      : f_(f), variable_(variable) {
     const std::size_t n = f.components().size();
     names_ = f.components()[equation].names();
     names_.variables.erase(names_.variables.begin() + static_cast<std::ptrdiff_t>(variable));
     std::vector<symbol> point;
     for (std::size_t k = 0; k < n; ++k) {
-      const auto place = static_cast<long>(k < variable ? k : k - 1);
+      const std::size_t place = k < variable ? k : k - 1;
       point.push_back(k == variable ? symbol(0) : symbol::variable(place));
     }
     // f_i = c v + (f_i at v = 0).
@@ -234,7 +234,6 @@ class substitution {
   }
 
   real_system f_;
-  std::size_t equation_;
   std::size_t variable_;
   expression_names names_;
   std::optional<symbol> g_;
