@@ -51,6 +51,8 @@ TEST(BySubstitution, MultipleRoots) {
   expect_solutions({"log(x)+y-1", "x*y-1"}, box, {{{1, 1}, multiple}});
   expect_solutions({"exp(x)+y-1", "exp(y)+x-1"}, {{-5, 5}, {-5, 5}}, {{{0, 0}, multiple}});
   expect_solutions({"y-cos(x)", "y-1"}, {{-3, 3}, {-1, 1}}, {{{0, 1}, multiple}});
+  expect_solutions({"-(y-cos(x))", "y-1"}, {{-3, 3}, {-1, 1}}, {{{0, 1}, multiple}});
+  expect_solutions({"(y-cos(x))/3", "y-1"}, {{-3, 3}, {-1, 1}}, {{{0, 1}, multiple}});
   expect_solutions({"3-2*(y-sin(x))-3", "(y-sin(x))*exp(x)+x^2-2*x+1"}, box,
                    {{{1, 0.8414709848078965}, multiple}});
   // The near misses have none, and two.
@@ -88,6 +90,7 @@ TEST(BySubstitution, FacesOfTheBox) {
   expect_solutions({"y-cos(x)", "y-1"}, {{-3, 3}, {rational(0), rational(1)}},
                    {{{0, 1}, multiple}});
   expect_solutions({"y-cos(x)", "y-1"}, {{-3, 3}, {rational(0), rational(99, 100)}}, {});
+  expect_solutions({"y-x^2", "(x-1)^2*(x-3)^2*exp(x)"}, {{-5, 5}, {0, 8}}, {{{1, 1}, multiple}});
   expect_solutions({"y-x^2-1", "(x-1)^2*exp(x)"}, {{-3, 1}, {2, 5}}, {{{1, 2}, multiple}});
   expect_solutions({"y-x^2-1", "(x-1)^2*exp(x)"}, {{-3, 1}, {rational(20001, 10000), 5}}, {});
   // The value is on the face, and no rule says so: it is not claimed to be inside.
