@@ -47,8 +47,8 @@ struct angle_format {
 // NOLINTNEXTLINE(bugprone-exception-escape): its destructor is the library's
 class reader : public pugi::xml_tree_walker {
  public:
-  /// For one body the frame is read, and what is no number refused. Of the invariants of all a
-  /// frame is of no matter, and a link that is refused is found with its problem.
+  /// For one body the frame is read, too; the invariants of all do not depend on it. A link that is
+  /// refused is kept with its problem.
   enum class purpose { one_body, all_invariants };
   reader(const std::string& text, purpose what, angle_format angles)
       : text_(&text), purpose_(what), angles_(std::move(angles)) {}
@@ -58,7 +58,7 @@ class reader : public pugi::xml_tree_walker {
     try {
       read(node);
     } catch (const input_error& error) {
-      if (purpose_ == purpose::one_body) throw;
+      turn_ = {};
       add(node, {}, error.what());
     }
     return true;
@@ -346,6 +346,7 @@ Link& chosen(std::vector<Link>& found, const std::optional<std::string>& link) {
 imported_inertia import_inertia(const std::string& text, const std::optional<std::string>& link) {
   std::vector<found_inertia> found = inertias_in(text, reader::purpose::one_body);
   found_inertia& one = chosen(found, link);
+  if (!one.problem.empty()) throw input_error(one.problem);
   return {one.name, one.tensor, one.turn};
 }
 

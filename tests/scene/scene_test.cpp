@@ -334,6 +334,19 @@ TEST(SceneBody, TurnedFrames) {
     }
     EXPECT_TRUE(overlaps(by_angles.moments()[i].at(p), plain.moments()[i].at(p)));
   }
+  // One bad frame costs only its own link.
+  const std::string two =
+      "<sdf><model><link name='a'><inertial><pose relative_to='b'>0 0 0 1 2 3</pose><inertia>" +
+      entries + "</inertia></inertial></link><link name='b'><inertial><inertia>" + entries +
+      "</inertia></inertial></link></model></sdf>";
+  std::ofstream(directory.path("two.sdf")) << two;
+  const auto link_of_two = [&](const char* link) {
+    return read_scene(
+        "[body]\nfile = \"two.sdf\"\nlink = \"" + std::string(link) + "\"\n" + wanting,
+        directory.path(""));
+  };
+  EXPECT_EQ(link_of_two("b").body.axes->tensor(), plain.axes->tensor());
+  EXPECT_THROW((void)link_of_two("a"), input_error);
   const scene_body radians = mjcf("euler='0.1 -0.2 0.3'", "<compiler angle='radian'/>");
   const triple<ball> x =
       turned(0, "0.1", turned(1, "-0.2", turned(2, "0.3", {ball(1, p), ball(0, p), ball(0, p)})));
