@@ -106,6 +106,9 @@ class reader : public pugi::xml_tree_walker {
   exact_rotation turn_of(const pugi::xml_node& node) const {
     if (const pugi::xml_node origin = node.child("origin")) {  // URDF
       const pugi::xml_attribute rpy = origin.attribute("rpy");
+      const pugi::xml_attribute quaternion = origin.attribute("quat_xyzw");
+      if (rpy && quaternion) refuse(origin, "it is turned twice; give one of rpy, quat_xyzw");
+      if (quaternion) return of_quaternion_xyzw(origin, numbers(origin, quaternion.value(), 4), 0);
       if (!rpy) return {};
       return of_roll_pitch_yaw(numbers(origin, rpy.value(), 3), 0, angle_unit::radians);
     }
@@ -150,19 +153,22 @@ class reader : public pugi::xml_tree_walker {
     }
     const std::string_view format = pose.attribute("rotation_format").value();
     if (format == "quat_xyzw") {
-      const auto all = numbers(pose, pose.text().get(), places + 4);
-      try {
-        return exact_rotation::of_quaternion({all[6], all[3], all[4], all[5]});
-      } catch (const input_error& error) {
-        refuse(pose, error.what());
-      }
+      return of_quaternion_xyzw(pose, numbers(pose, pose.text().get(), places + 4), places);
     }
     if (!format.empty() && format != "euler_rpy")
-      refuse(pose, "rotation_format: it must be \"euler_rpy\" or \"quat_xyzw\"");
+      refuse(pose, R"(rotation_format: it must be "euler_rpy" or "quat_xyzw")");
     const std::string_view degrees = pose.attribute("degrees").value();
     return of_roll_pitch_yaw(
         numbers(pose, pose.text().get(), places + 3), places,
         degrees == "true" || degrees == "1" ? angle_unit::degrees : angle_unit::radians);
+  }
+  exact_rotation of_quaternion_xyzw(const pugi::xml_node& at, const std::vector<rational>& x,
+                                    std::size_t first) const {
+    try {
+      return exact_rotation::of_quaternion({x[first + 3], x[first], x[first + 1], x[first + 2]});
+    } catch (const input_error& error) {
+      refuse(at, error.what());
+    }
   }
   /// About the fixed axes x, y, z, in this order.
   static exact_rotation of_roll_pitch_yaw(const std::vector<rational>& angles, std::size_t first,

@@ -268,9 +268,9 @@ TEST(SceneBody, TurnedFrames) {
     return body_of("f.sdf", "<sdf><model><link name='l'><inertial>" + pose + "<inertia>" + entries +
                                 "</inertia></inertial></link></model></sdf>");
   };
-  const auto urdf = [&](const std::string& rpy) {
-    return body_of("f.urdf", "<robot><link name='l'><inertial><origin rpy='" + rpy +
-                                 "'/><inertia ixx='5' iyy='4' izz='3' ixy='0.1' ixz='0.2' "
+  const auto urdf = [&](const std::string& turn) {
+    return body_of("f.urdf", "<robot><link name='l'><inertial><origin " + turn +
+                                 "/><inertia ixx='5' iyy='4' izz='3' ixy='0.1' ixz='0.2' "
                                  "iyz='0.3'/></inertial></link></robot>");
   };
   const auto mjcf = [&](const std::string& turn, const std::string& compiler = "") {
@@ -289,6 +289,8 @@ TEST(SceneBody, TurnedFrames) {
     return sdf("<pose degrees='true'>0 0 0 " + std::string(angles) + "</pose>");
   };
   expect_exactly(in_degrees("90 0 0"), of_pose("1 0 0 1"), "roll");
+  expect_exactly(urdf("quat_xyzw='1 2 3 4'"), of_pose("1 2 3 4"), "a quaternion of URDF");
+  EXPECT_THROW((void)urdf("rpy='0 0 1' quat_xyzw='1 2 3 4'"), input_error);
   expect_exactly(in_degrees("0 90 0"), of_pose("0 1 0 1"), "pitch");
   expect_exactly(in_degrees("0 0 90"), of_pose("0 0 1 1"), "yaw");
   expect_exactly(in_degrees("0 0 -90"), of_pose("0 0 -1 1"), "yaw back");
@@ -322,8 +324,8 @@ TEST(SceneBody, TurnedFrames) {
     result[(axis + 2) % 3] = sin(x) * v[(axis + 1) % 3] + cos(x) * v[(axis + 2) % 3];
     return result;
   };
-  const scene_body plain = urdf("0 0 0");
-  const scene_body by_angles = urdf("0.1 -0.2 0.3");
+  const scene_body plain = urdf("rpy='0 0 0'");
+  const scene_body by_angles = urdf("rpy='0.1 -0.2 0.3'");
   const scene_body of_sdf = sdf("<pose>7 8 9 0.1 -0.2 0.3</pose>");
   for (std::size_t i = 0; i < 3; ++i) {
     const triple<ball> expected =
