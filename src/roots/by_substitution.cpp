@@ -70,7 +70,8 @@ struct reduced_roots {
   isolation_account account;
 };
 
-long digits_of(precision p) { return static_cast<long>(static_cast<double>(p) * 0.302) + 2; }
+/// Enough for p bits: log10(2) is less than 0.302.
+long digits_of(precision p) { return p / 1000 * 302 + p % 1000 * 302 / 1000 + 2; }
 
 /// Of one equation in one variable; nullopt where there are infinitely many.
 std::optional<reduced_roots> roots_of_one(const expression& h, const system_side& side,
@@ -181,7 +182,7 @@ class substitution {
     for (std::size_t k = 0; k < over.value.size(); ++k) {
       if (!over.value[k].is_bounded()) return std::nullopt;
       const auto& row = over.jacobian[k];
-      // Without derivatives there is no multiplicity.
+      // Where f is not differentiable the jets have no derivative, and there is no multiplicity.
       if (!std::all_of(row.begin(), row.end(), is_bounded)) result.verdict = root_verdict::isolated;
     }
     result.box = with_value(one.box);
@@ -215,9 +216,11 @@ class substitution {
     for (const ball& one : x) point.emplace_back(lower_rational(one));
     return expression(value_->evaluate(std::span<const symbol>(point)), {{}, {}, names_.further});
   }
+  /// By exact rules at a point of rational numbers; what balls give a value is never undefined.
   [[nodiscard]] bool is_undefined_at(const reduced_root& one) const {
     const std::vector<ball> x = one.enclose(64);
     if (!std::ranges::all_of(x, [](const ball& at) { return at.is_exact(); })) return false;
+    if (value_->evaluate(std::span<const ball>(x)).is_bounded()) return false;
     try {
       (void)value_at(x);
       return false;
@@ -240,10 +243,6 @@ class substitution {
   std::optional<expression> value_;  // g
   std::vector<expression> others_;
 };
-
-}  // namespace
-
-namespace {
 
 struct explicit_equation {
   std::size_t equation;

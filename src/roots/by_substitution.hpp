@@ -5,7 +5,8 @@
 // Theorem. Let f_i = c (v - g) with a rational number c, not 0, and a formula g of the other
 // variables. The zeros of f in a box are the points with v = g, at which g is defined and lies in
 // v's side, whose other coordinates are zeros of the other components with g in the place of v.
-// Where f and g are continuously differentiable, a zero of f is simple where that of the others is.
+// Where f and g are continuously differentiable, a zero of f is simple exactly where that of the
+// others is.
 // Proof. f_i = 0 is v = g. With w = v - g in the place of v, a change of variables of determinant
 // 1, f_i is c w, so that the determinant of f's derivatives is, but for the sign, c times that of
 // the others' by the other variables at w = 0.

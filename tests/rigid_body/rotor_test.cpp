@@ -188,23 +188,9 @@ TEST(Rotor, FollowsTheTaylorIntegrationFromAnyTime) {
 /// About the axis 0, 1 or 2.
 matrix3<ball> turn_about(std::size_t axis, const ball& angle) {
   const ball zero(0, angle.precision());
-  matrix3<ball> r{{{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}}};
-  const std::size_t m = (axis + 1) % 3;
-  const std::size_t n = (axis + 2) % 3;
-  r[axis][axis] = ball(1, angle.precision());
-  r[m][m] = r[n][n] = cos(angle);
-  r[n][m] = sin(angle);
-  r[m][n] = -r[n][m];
-  return r;
-}
-
-matrix3<ball> multiplied(const matrix3<ball>& x, const matrix3<ball>& y) {
-  matrix3<ball> r;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k)
-      r[i][k] = x[i][0] * y[0][k] + x[i][1] * y[1][k] + x[i][2] * y[2][k];
-  }
-  return r;
+  triple<ball> unit{zero, zero, zero};
+  unit[axis] = ball(1, angle.precision());
+  return rotation(unit, angle);
 }
 
 /// The tensor's axes are turned against the body axes: the integration is done in those, J' = Q^T J
@@ -230,7 +216,7 @@ TEST(Rotor, FollowsTheTaylorIntegrationWithATurnedTensor) {
       turn = turn * exact_rotation::about(axis, angle, unit);
       const ball x = unit == angle_unit::degrees ? ball(rational(angle / 180), bits) * pi(bits)
                                                  : ball(angle, bits);
-      q = multiplied(q, turn_about(axis, x));
+      q = product(q, turn_about(axis, x));
     }
     const triple<rational> given{random.between(1, 9), rational(random.between(-9, 9), 7),
                                  rational(random.between(10, 19), 3)};
@@ -249,7 +235,7 @@ TEST(Rotor, FollowsTheTaylorIntegrationWithATurnedTensor) {
     }
     const rotor<ball> r(state, 90);
     const rational h(shortest_time(state) / 2);
-    body_at at{inner, multiplied(state.attitude(bits), q)};
+    body_at at{inner, product(state.attitude(bits), q)};
     for (int step = 0; step <= 4; ++step) {
       if (step > 0) at = by_taylor(at, state, h, 40);
       const auto sample = r.sample(rational(step * h));
@@ -262,8 +248,8 @@ TEST(Rotor, FollowsTheTaylorIntegrationWithATurnedTensor) {
                          q[i][0] * omega[0] + q[i][1] * omega[1] + q[i][2] * omega[2]))
             << described(state);
       }
-      EXPECT_TRUE(matrices_meet(r.attitude(rational(step * h)).matrix,
-                                multiplied(at.attitude, transposed(q))))
+      EXPECT_TRUE(
+          matrices_meet(r.attitude(rational(step * h)).matrix, product(at.attitude, transposed(q))))
           << described(state);
     }
     if (by_omega) {

@@ -81,6 +81,10 @@ TEST(BySubstitution, WhereTheEquationsAreNotDefined) {
                    {{{-0.23104906018664843, -0.46209812037329687}, unique}});
   expect_solutions({"y/x-2", "y-3*x"}, box, {});
   expect_solutions({"y-sqrt(x)", "x*y"}, box, {{{0, 0}, isolated}});
+  // At a kink there is no multiplicity.
+  expect_solutions({"y-abs(x)", "x^2*exp(x)"}, box, {{{0, 0}, isolated}});
+  expect_solutions({"y-abs(x^2-2)", "(x^2-2)^2*exp(x)"}, box,
+                   {{{-1.4142135623730951, 0}, isolated}, {{1.4142135623730951, 0}, isolated}});
   // (1, 0) is where g is not defined.
   expect_solutions({"y-1/(x-1)", "(x-1)*(x-2)^2"}, box, {{{2, 1}, multiple}});
   expect_solutions({"y-sqrt(x-2)", "(x-1)*(x-3)^2"}, box, {{{3, 1}, multiple}});

@@ -76,7 +76,7 @@ exact_real exact_real::combined(const exact_real& x, const exact_real& y,
                                 const Operation& operation) {
   if (x.rational_ && y.rational_)
     return exact_real(rational(operation(*x.rational_, *y.rational_)));
-  // Of what cancels in an operand only this operation's own result can tell how much it matters.
+  // The operands need no relative precision: at() raises that of the result, and so theirs.
   return irrational(
       [x, y, operation](precision p) { return ball(operation(x.rough(p), y.rough(p))); },
       size_in_bits(x) + size_in_bits(y));
