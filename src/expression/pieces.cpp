@@ -123,6 +123,18 @@ class rewriting {
     }
     return place_[end_ - 1];
   }
+  /// Of an abs, min or max: one of its operands, or the negated one. is_positive(d): whether the
+  /// node d is >= 0, which decides it, or <= 0; nothing where it is not known.
+  template <class IsPositive>
+  std::optional<node_id> decided(node_id i, const IsPositive& is_positive) {
+    const node n = g_[i];
+    const node_id x = place_[n.left];
+    const node_id y = n.what == operation::abs ? g_.number(0) : place_[n.right];
+    const std::optional<bool> positive = is_positive(detail::subtract(g_, x, y));
+    if (!positive) return std::nullopt;
+    if (n.what == operation::abs) return *positive ? x : detail::negate(g_, x);
+    return *positive == (n.what == operation::max) ? x : y;
+  }
   /// The operation of node i, of what is in the places of its operands.
   node_id with_places(node_id i) {
     const node n = g_[i];
@@ -189,15 +201,10 @@ class separation : rewriting {
   std::optional<node_id> made(node_id i, const bound& lower, const bound& upper, std::size_t most) {
     const node n = g_[i];
     if (!detail::is_piecewise(n.what)) return with_places(i);
-    const node_id x = place_[n.left];
     if (n.what == operation::floor || n.what == operation::ceil) {
-      return step(x, n.what == operation::ceil, lower, upper, most);
+      return step(place_[n.left], n.what == operation::ceil, lower, upper, most);
     }
-    const node_id y = n.what == operation::abs ? g_.number(0) : place_[n.right];
-    const std::optional<bool> positive = sign(detail::subtract(g_, x, y), lower, upper);
-    if (!positive) return std::nullopt;
-    if (n.what == operation::abs) return *positive ? x : detail::negate(g_, x);
-    return *positive == (n.what == operation::max) ? x : y;
+    return decided(i, [&](node_id d) { return sign(d, lower, upper); });
   }
   /// Whether the rational function is >= 0 inside the range, or <= 0.
   std::optional<bool> sign(node_id of, const bound& lower, const bound& upper) {
@@ -248,6 +255,26 @@ class separation : rewriting {
   }
 
   std::vector<rational> points_;
+};
+
+/// A formula without abs, min and max, where their signs are known.
+class with_known_signs : rewriting {
+ public:
+  using rewriting::rewriting;
+
+  std::optional<expression> found(
+      const std::function<std::optional<bool>(const expression&)>& is_positive) {
+    bool any = false;
+    const auto root = root_by([&](node_id i) -> std::optional<node_id> {
+      const operation what = g_[i].what;
+      if (what != operation::abs && what != operation::min && what != operation::max) {
+        return with_places(i);
+      }
+      any = true;
+      return decided(i, [&](node_id d) { return is_positive(formula_at_(g_, d)); });
+    });
+    return root && any ? std::optional(formula_at_(g_, *root)) : std::nullopt;
+  }
 };
 
 /// A formula with numbers in place of its steps.
@@ -399,6 +426,19 @@ std::optional<std::vector<expression::piece>> expression::pieces(const std::opti
                *graph_,
                [this](const detail::graph& g, detail::node_id root) { return with_root(g, root); })
         .between(a, b, most);
+  } catch (const detail::undefined_operation&) {
+    return std::nullopt;  // an operation has no value anywhere
+  }
+}
+
+std::optional<expression> expression::without_kinks(
+    const std::function<std::optional<bool>(const expression&)>& is_positive) const {
+  if (graph_->size() > pieces_impl::most_nodes) return std::nullopt;
+  try {
+    return pieces_impl::with_known_signs(
+               *graph_,
+               [this](const detail::graph& g, detail::node_id root) { return with_root(g, root); })
+        .found(is_positive);
   } catch (const detail::undefined_operation&) {
     return std::nullopt;  // an operation has no value anywhere
   }

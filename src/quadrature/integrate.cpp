@@ -48,15 +48,21 @@ ball affine_map::operator()(const ball& t) const {
 }
 
 namespace {
-/// f over an infinite range by scaled functions; nullopt where it has none, or they do not help.
-std::optional<integral> integrate_scaled(const integrand& f, const end_point& a, const end_point& b,
-                                         const integrate_options& options) {
-  const std::vector<part> parts = f.scaled ? f.scaled(a, b) : std::vector<part>();
+/// The sum of the parts of an infinite range, or that it diverges; nullopt where there are none, or
+/// they do not help.
+std::optional<integral> sum_of_parts(const std::vector<part>& parts, const end_point& a,
+                                     const end_point& b, const integrate_options& options) {
   if (parts.empty()) return std::nullopt;
   if (auto sum = sum_to_goal(parts, options)) return sum;
-  // They are parts of the range: where one diverges, so does the whole.
+  const auto is_infinite = [](const part& p) {
+    return p.lower.is_infinite() || p.upper.is_infinite();
+  };
+  // Two functions over one tail may diverge and cancel. Where there is one, it is f itself: where
+  // it diverges, so does the whole.
+  const long tails = std::count_if(parts.begin(), parts.end(), is_infinite);
+  if (tails != (a.is_infinite() ? 1 : 0) + (b.is_infinite() ? 1 : 0)) return std::nullopt;
   for (const part& p : parts) {
-    if (p.lower.infinite_sign() == 0 && p.upper.infinite_sign() == 0) continue;
+    if (!is_infinite(p)) continue;
     integral found = integrate_function(p.f, p.lower, p.upper, options);
     if (found.why == reason::not_integrable) return found;
   }
@@ -106,8 +112,8 @@ integral integrate_function(const integrand& f, const end_point& a, const end_po
       if (auto sum = sum_to_goal(parts, options)) return *std::move(sum);
     }
   }
-  if (infinite) {
-    if (auto found = integrate_scaled(f, a, b, options)) return *std::move(found);
+  if (infinite && f.scaled) {
+    if (auto found = sum_of_parts(f.scaled(a, b), a, b, options)) return *std::move(found);
   }
   for (const quadrature_rule& rule : quadrature_rule::all()) {
     if (!rule.strategy()->is_automatic()) continue;
@@ -116,9 +122,8 @@ integral integrate_function(const integrand& f, const end_point& a, const end_po
     if (infinite && found->why == reason::not_analytic) {
       if (auto turned = integrate_over_turned_rays(f, a, b, options)) return *turned;
       if (auto folded = integrate_over_periods(f, a, b, options)) return *folded;
-      const std::vector<part> parts = f.with_limits ? f.with_limits(a, b) : std::vector<part>();
-      if (!parts.empty()) {
-        if (auto sum = sum_to_goal(parts, options)) return *std::move(sum);
+      if (f.with_limits) {
+        if (auto sum = sum_of_parts(f.with_limits(a, b), a, b, options)) return *std::move(sum);
       }
     }
     return *found;

@@ -240,6 +240,88 @@ integral_case divergent_tail(maker& m) {
   return r;
 }
 
+/// What grows, or oscillates without decay, beside what grows faster or decays slower: the integral
+/// is known, or it diverges, in one case of two.
+integral_case growing_tail(maker& m) {
+  const bool diverges = m.one_in(2);
+  const term k = m.positive_rational();
+  const term d = m.decimal(m.scattered(1e-6, 2));
+  const term a = m.near(m.within(0.5, 4));
+  const auto decay = [&](const term& e) { return call("exp", -(e * a)) / e; };
+  integral_case r{0, a, "inf", few_digits(m)};
+  r.diverges = diverges;
+  const term faster = diverges ? (m.one_in(3) ? k : k - d) : k + d;
+  switch (m.between(0, 5)) {
+    case 0:
+      r.integrand = call("exp", k * x) * call("exp", -(faster * x));
+      r.value = decay(d);
+      break;
+    case 1:
+      r.integrand = call("cosh", k * x) * call("exp", -(faster * x));
+      r.value = (decay(d) + decay(2 * k + d)) / 2;
+      break;
+    case 2:
+      r.integrand = call("exp", x) / power(1 + call("exp", x), diverges ? 1 : 2);
+      r.value = 1 / (1 + call("exp", a));
+      break;
+    case 3:  // Dirichlet's integral
+      r.from = 0;
+      r.integrand = call("sin", k * x) / (diverges ? 1 + call("exp", -x) : x);
+      r.value = term("pi") / 2;
+      break;
+    case 4:  // Laplace's
+      r.from = 0;
+      r.integrand = x * call("sin", k * x) * (diverges ? x : term(1)) / (power(d, 2) + power(x, 2));
+      r.value = term("pi") / 2 * call("exp", -(k * d));
+      break;
+    default: {
+      const term slow = m.any_of({call("log", 1 + x), power(x, "1/3"), 2 + call("sin", x)});
+      r.integrand = diverges ? slow * call("exp", k / x) : slow + x * call("exp", -(k * x)) - slow;
+      r.value = (a / k + 1 / power(k, 2)) * call("exp", -(k * a));
+    }
+  }
+  if (diverges) r.value = std::nullopt;
+  return r;
+}
+
+/// abs, min and max in the tail of exponentials and powers, which pass at a known point: an
+/// option's value, and others. A divergent twin in one case of four.
+integral_case kinks_in_tails(maker& m) {
+  const term k = m.positive_rational();
+  const term c = m.near(m.within(0.3, 3));
+  const term d = m.decimal(m.scattered(1e-3, 2));
+  const auto e = [](const term& power_of_e) { return call("exp", power_of_e); };
+  integral_case r{0, 0, "inf", few_digits(m)};
+  switch (m.between(0, 2)) {
+    case 0: {
+      r.diverges = m.one_in(4);
+      const term q = r.diverges ? (m.one_in(2) ? k : k - d) : k + d;
+      const term rise = e(k * x) - e(k * c);
+      const term payoff = m.one_in(2) ? call("max", rise, term(0)) : -call("min", -rise, term(0));
+      r.integrand = payoff * e(-(q * x));
+      if (!r.diverges) r.value = e(-(d * c)) / d - e(-(d * c)) / q;
+      break;
+    }
+    case 1: {
+      const term q = k + d;
+      r.integrand = call("abs", e(-(k * x)) - e(-(k * c))) * e(-(q * x));
+      r.value = (1 - 2 * e(-((k + q) * c))) / (k + q) - e(-(k * c)) * (1 - 2 * e(-(q * c))) / q;
+      break;
+    }
+    default: {
+      const bool greatest = m.one_in(2);
+      const term f = e(-(k * x));
+      const term g = e(-(k * c)) * power((1 + c) / (1 + x), m.between(2, 4));
+      const long digits = few_digits(m);
+      r.integrand = call(greatest ? "max" : "min", f, g);
+      r.parts = {{f / 2, 0, "inf", digits},
+                 {g / 2, 0, "inf", digits},
+                 {call("abs", f - g) / (greatest ? 2 : -2), 0, "inf", digits}};
+    }
+  }
+  return r;
+}
+
 integral_case algebraic_tail(maker& m) {
   const term e = m.exponent_between(1.05, 6);
   term f = m.one_in(2) ? power(x, -e) : power(m.positive_rational() + x, -e);
@@ -999,6 +1081,8 @@ std::vector<integral_family> end_families() {
           {"divergent at a root", 7, mostly_cheap(divergent_root)},
           {"divergent at a pole", 7, mostly_cheap(divergent_pole)},
           {"divergent tail", 6, mostly_cheap(divergent_tail)},
+          {"growth and waves in tails", 8, mostly_cheap(growing_tail)},
+          {"kinks in tails", 8, mostly_cheap(kinks_in_tails)},
           {"algebraic tail", 7, mostly_cheap(algebraic_tail)},
           {"exponential tail", 7, mostly_cheap(exponential_tail)},
           {"special tail", 6, mostly_cheap(special_tail)},

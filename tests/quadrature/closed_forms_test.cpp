@@ -728,14 +728,19 @@ TEST(Integrate, RefusesWhatItCannotProve) {
       "floor(1/x)", [](const auto& x) { return floor(1 / x); }, 0, 1, why, "near x = ");
   refused(
       "1/floor", [](const auto& x) { return 1 / floor(x); }, 0, 2, why, "near x = ");
-  const std::string decay = "no proof of decay at infinity";
   refused(
-      "sin at infinity", [](const auto& x) { return sin(x); }, 0, infinity, why, decay);
+      "sin(x) + sinpi(x)", [](const auto& x) { return sin(x) + sinpi(x); }, 0, infinity, why,
+      "no proof of decay at infinity");
+  const reason diverges = reason::not_integrable;
   refused(
-      "exp at infinity", [](const auto& x) { return exp(x); }, 0, infinity, why, decay);
+      "sin at infinity", [](const auto& x) { return sin(x); }, 0, infinity, diverges,
+      "diverges at infinity");
   refused(
-      "exp(-x) at -infinity", [](const auto& x) { return exp(-x); }, -infinity, infinity, why,
-      decay);
+      "exp at infinity", [](const auto& x) { return exp(x); }, 0, infinity, diverges,
+      "at infinity");
+  refused(
+      "exp(-x) at -infinity", [](const auto& x) { return exp(-x); }, -infinity, infinity, diverges,
+      "at infinity");
 }
 
 // With L = log x, x^m = e^(m L), and the integral of x^m L^k from 0 to 1 is (-1)^k k!/(m +

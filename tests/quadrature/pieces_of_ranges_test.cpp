@@ -41,6 +41,17 @@ TEST(PiecesOfRanges, HaveTheKnownValues) {
        "(sqrt(2)-2)*sin(sqrt(2))+cos(sqrt(2))-2*cos(2)+sin(3)+cos(3)"},
       {"abs(x-1)*cos(x)", "0", "sqrt(5)",
        "-cos(1)+1-2*sin(1)+sin(1)+(sqrt(5)-1)*sin(sqrt(5))+cos(sqrt(5))-cos(1)+sin(1)"},
+      // Beyond the last kink, without it.
+      {"max(exp(x)-2,0)*exp(-x^2)", "-inf", "inf",
+       "sqrt(pi)/2*(exp(1/4)*erfc(log(2)-1/2)-2*erfc(log(2)))"},
+      {"max(2-exp(x),0)*exp(-x^2)", "-inf", "inf",
+       "sqrt(pi)/2*(2*erfc(-log(2))-exp(1/4)*erfc(1/2-log(2)))"},
+      {"max(exp(x)-2,0)*exp(-2*x)", "0", "inf", "1/4"},
+      {"max(exp(x)-exp(20),0)*exp(-2*x)", "0", "inf", "exp(-20)/2"},
+      {"min(1,exp(3-x))", "0", "inf", "4"},
+      {"max(x^5,exp(x))*exp(-2*x)", "15", "inf", "exp(-15)"},
+      {"max(exp(-x)*(x-20),1/x^2)", "1", "inf", "1"},
+      {"min(log(x)^2,sqrt(x))/x^2", "6000", "inf", "(log(6000)^2+2*log(6000)+2)/6000"},
   };
   expect_values(all);
 }

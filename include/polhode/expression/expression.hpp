@@ -296,6 +296,12 @@ class expression {
   [[nodiscard]] std::optional<std::vector<piece>> pieces(const std::optional<rational>& a,
                                                          const std::optional<rational>& b,
                                                          std::size_t most) const;
+  /// f with one operand, or the negated one, in place of each abs, min and max of what varies: by
+  /// is_positive(d), true where d >= 0 on the set of interest, false where d <= 0, with d the
+  /// operand of abs, the first operand less the second of the others. None where is_positive
+  /// returns nothing, there are none of them, or f has no value anywhere.
+  [[nodiscard]] std::optional<expression> without_kinks(
+      const std::function<std::optional<bool>(const expression&)>& is_positive) const;
   /// A formula of one variable with whole numbers in place of its steps, the floors and ceilings of
   /// what varies: of the first ones, in their order. None where it then has no value anywhere.
   struct stepped;

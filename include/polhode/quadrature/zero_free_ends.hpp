@@ -20,9 +20,16 @@ class zero_free_ends {
   /// Proved: f has no zero x with at < x <= at + width, or at + width <= x < at where width is
   /// negative; it may be undefined there.
   [[nodiscard]] bool beside(const pi_combination& at, const rational& width) const;
-  /// Proved: f is defined at all x >= from, or x <= from where from is negative, and has no zero
+  /// Proved: f has no zero x >= from, or x <= from where from is negative; it may be undefined
   /// there.
   [[nodiscard]] bool beyond(const rational& from) const;
+  /// Proved: the integral of f over x >= from, or x <= from where from is negative, has no limit
+  /// where it is improper. By a lower bound of |f| where f has one sign; or f oscillates with an
+  /// amplitude that is away from 0.
+  [[nodiscard]] bool diverges_beyond(const rational& from) const;
+  /// The sign, 1 or -1, that f is proved to have at all x >= from, or x <= from where from is
+  /// negative, where it is then defined; 0 where none is proved.
+  [[nodiscard]] int sign_beyond(const rational& from) const;
 
  private:
   struct formula;

@@ -46,6 +46,11 @@ class tail_series {
     return certainly_positive(u_) ? h_.sign() : certainly_negative(u_) ? -h_.sign() : 0;
   }
 
+  /// |f| tends to infinity at t = 0, and f has one sign: phi > 0 has a negative power, U is away
+  /// from 0, and h, which has one sign, is not 0 for all t: it is about c t^e |log t|^k with c not
+  /// 0.
+  [[nodiscard]] bool tends_to_infinity() const { return sign() != 0 && grows_exponentially(); }
+
   /// An upper bound of the integral of |f(s y)| over y >= Y, for Y >= 1/r: with |phi| >= c y^mu and
   /// |h U| <= B y^p (log y)^k, k and B summed over the terms of h, log y <= y, P = p + k,
   ///

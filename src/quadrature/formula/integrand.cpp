@@ -17,6 +17,7 @@
 #include "polhode/expression/symbol.hpp"
 #include "polhode/quadrature/contour.hpp"
 #include "polhode/quadrature/integrate.hpp"
+#include "polhode/quadrature/zero_free_ends.hpp"
 #include "quadrature/formula/arithmetics.hpp"
 #include "quadrature/formula/exponential_variable.hpp"
 #include "quadrature/formula/integrand.hpp"
@@ -249,6 +250,9 @@ detail::integrand integrand_with_changes(const expression& f, int changes) {
   };
   result.near_infinity = made_on_first_use<tail_series>(f, series_bits);
   result.growth = made_on_first_use<growth_bound>(f, series_bits);
+  result.diverges_beyond = [f](const rational& from) {
+    return zero_free_ends(f).diverges_beyond(from);
+  };
   result.under = made_on_first_use<symmetry>(f, series_bits);
   result.graph = graph_on_first_use(f);
   return result;

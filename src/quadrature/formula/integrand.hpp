@@ -120,6 +120,9 @@ struct integrand {
   std::function<tail_series(const tail_series& x)> near_infinity;
   /// How fast it grows at an end where it has no series. May be empty.
   std::function<growth_bound(const growth_bound& x)> growth;
+  /// Proved: the integral over x >= from, or x <= from where from is negative, diverges. May be
+  /// empty.
+  std::function<bool(const rational& from)> diverges_beyond;
   /// May be empty: then no symmetry is known.
   std::function<symmetry(const symmetry& x)> under;
   /// Its operations, which are looked at on the first call; may be empty: then no breaks are looked

@@ -9,6 +9,7 @@
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/interval.hpp"
 #include "polhode/expression/symbol.hpp"
+#include "polhode/quadrature/zero_free_ends.hpp"
 
 namespace polhode::detail {
 
@@ -113,47 +114,64 @@ std::vector<part> parts_in_tangent(const expression& f, const end_point& a, cons
 
 namespace {
 
-/// The functions whose sum f is for large x.
-using terms_far_out = std::vector<expression> (*)(const expression& f);
+/// The functions whose sum f is for all x >= from, where there are any.
+struct far_out {
+  std::vector<expression> terms;
+  rational from = 0;
+};
+using terms_far_out = far_out (*)(const expression& f);
 
-std::vector<expression> limits_of(const expression& f) {
-  if (const auto apart = f.by_steady_factor()) return {apart->limit, apart->rest};
-  if (const auto same = f.with_decaying_exponentials()) return {*same};
+/// f without its kinks beyond some x, where each decider has one sign.
+far_out beyond_kinks(const expression& f) {
+  constexpr unsigned first = 4;
+  constexpr unsigned last = 20;
+  for (unsigned e = first; e <= last; e += 2) {
+    const rational from = rational(integer(1) << e);
+    const auto smooth = f.without_kinks([&](const expression& d) -> std::optional<bool> {
+      if (const auto known = d.exact_value()) return *known >= 0;
+      const int sign = zero_free_ends(d).sign_beyond(from);
+      return sign != 0 ? std::optional(sign > 0) : std::nullopt;
+    });
+    if (smooth) return {{*smooth}, from};
+  }
   return {};
 }
-std::vector<expression> scaled(const expression& f) {
+far_out limits_of(const expression& f) {
+  if (const auto apart = f.by_steady_factor()) return {{apart->limit, apart->rest}};
+  if (const auto same = f.with_decaying_exponentials()) return {{*same}};
+  return beyond_kinks(f);
+}
+far_out scaled(const expression& f) {
   const auto same = f.with_scaled_functions();
-  return same ? std::vector{*same} : std::vector<expression>();
+  return same ? far_out{{*same}} : far_out{};
 }
 
 /// From a point to infinity on this side; false where there are no such terms.
 bool add_beyond(std::vector<part>& parts, const expression& f, const end_point& from, int side,
                 terms_far_out terms) {
   const symbol x = symbol::variable(0);
-  const std::vector<expression> beyond = terms(side > 0 ? f : expression(f(-x), f.names()));
+  const far_out beyond = terms(side > 0 ? f : expression(f(-x), f.names()));
   const ball distance = side > 0 ? from.at(64) : -from.at(64);
-  if (beyond.empty() || !distance.is_bounded()) return false;
-  const rational c = floor_of(std::max<rational>(upper_rational(distance), 0)) + 1;
+  if (beyond.terms.empty() || !distance.is_bounded()) return false;
+  const rational c = floor_of(std::max<rational>({upper_rational(distance), beyond.from, 0})) + 1;
   const end_point cut(rational(side * c));
   parts.push_back(side > 0 ? part{integrand_of(f), from, cut} : part{integrand_of(f), cut, from});
-  for (const expression& one : beyond) {
+  for (const expression& one : beyond.terms) {
     parts.push_back({integrand_of(one), end_point(c), end_point::infinity()});
   }
   return true;
 }
 
-}  // namespace
-
-namespace {
 std::vector<part> parts_beyond(const expression& f, const end_point& a, const end_point& b,
                                terms_far_out terms) {
   std::vector<part> parts;
   if (f.variables().size() != 1) return parts;
-  const bool both = a.infinite_sign() < 0 && b.infinite_sign() > 0;
-  const bool is_found =
-      (a.infinite_sign() == 0 || add_beyond(parts, f, both ? end_point(0) : b, -1, terms)) &&
-      (b.infinite_sign() == 0 || add_beyond(parts, f, both ? end_point(0) : a, 1, terms));
-  return is_found ? parts : std::vector<part>();
+  const bool both = a.is_infinite() && b.is_infinite();
+  const bool has_left = a.is_infinite() && add_beyond(parts, f, both ? end_point(0) : b, -1, terms);
+  const bool has_right = b.is_infinite() && add_beyond(parts, f, both ? end_point(0) : a, 1, terms);
+  if (both && has_left && !has_right) parts.push_back({integrand_of(f), end_point(0), b});
+  if (both && has_right && !has_left) parts.push_back({integrand_of(f), a, end_point(0)});
+  return parts;
 }
 }  // namespace
 

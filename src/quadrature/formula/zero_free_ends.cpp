@@ -3,6 +3,7 @@
 #include <mutex>
 #include <utility>
 
+#include "polhode/arithmetic/interval.hpp"
 #include "polhode/expression/evaluation.hpp"
 #include "polhode/expression/symbol.hpp"
 #include "quadrature/formula/arithmetics.hpp"
@@ -42,6 +43,16 @@ growth_bound far(const rational& from) {
   const growth_bound t = argument({}, 1, 1);
   const growth_bound x = t.constant_like(rational(abs(from) - rational(3, 2))) - log(t);
   return from > 0 ? x : -x;
+}
+
+/// f at x = (from/4)/t, which takes all values beyond `from`.
+growth_bound growth_beyond(const expression& f, const rational& from) {
+  return growth(f, argument({}, from / 4, -1));
+}
+/// The same where exponentials grow.
+tail_series tail_beyond(const expression& f, const rational& from) {
+  const auto along = tail_series::argument(known_number(rational(from / 4)), 0.25);
+  return f.evaluator<tail_series>(192)(along);
 }
 
 /// f(at + side exp(-s)) as a formula in s; nothing where that is not available.
@@ -107,23 +118,113 @@ bool zero_free_ends::beside(const pi_combination& at, const rational& width) con
          has_no_zero(growth(f, growth_bound::reciprocal_of(far(rational(1 / width)))));
 }
 
-bool zero_free_ends::beyond(const rational& from) const {
-  // x = (from/4)/t takes all values beyond `from`, too.
-  const expression& f = formula_->f;
-  if (has_no_zero(growth(f, argument({}, from / 4, -1))) || has_no_zero(growth(f, far(from)))) {
-    return true;
+namespace zero_free_ends_impl {
+namespace {
+
+/// All x >= from, or x <= from where from is negative.
+ball all_beyond(const rational& from) {
+  constexpr precision p = 128;
+  const ball end(from, p);
+  mpfr_float unbounded = zero_of_precision(p);
+  mpfr_set_inf(unbounded.backend().data(), from > 0 ? 1 : -1);
+  return from > 0 ? from_end_points(lower(end), unbounded, p)
+                  : from_end_points(unbounded, upper(end), p);
+}
+
+/// A sign that f has over all of x, where the evaluation over a ball shows it; else 0.
+int sign_over(const expression& f, const ball& x) {
+  const ball values = f.evaluator<ball>(x.precision())(x);
+  return certainly_positive(values) ? 1 : certainly_negative(values) ? -1 : 0;
+}
+
+/// The sign of f at all x >= from, or x <= from where from is negative, by growth in x; else 0.
+int sign_by_growth(const expression& f, const rational& from) {
+  for (const growth_bound& v : {growth_beyond(f, from), growth(f, far(from))}) {
+    if (has_no_zero(v) && v.sign() != 0) return v.sign();
   }
-  // Where exponentials grow.
-  const auto along = tail_series::argument(known_number(rational(from / 4)), 0.25);
-  if (f.evaluator<tail_series>(192)(along).sign() != 0) return true;
-  if (f.variables().size() != 1) return false;
-  // Where 1/f has values, f is not 0.
-  const auto reciprocal = from > 0 ? reciprocal_by_decay(f) : std::nullopt;
-  if (reciprocal && !growth(*reciprocal, argument({}, from / 4, -1)).is_blocked()) return true;
-  // |x| >= |from| is s >= log |from|, where powers of log |x| are powers of s.
+  return tail_beyond(f, from).sign();
+}
+
+/// f in s = log |x|, with powers of s for those of log |x|, and a number that is at most
+/// log |from|.
+struct in_logarithm_beyond {
+  expression f;
+  rational from;
+};
+std::optional<in_logarithm_beyond> in_logarithm(const expression& f, const rational& from) {
+  if (f.variables().size() != 1) return std::nullopt;
   const rational from_s = lower_rational(log(ball(rational(abs(from)), 64)));
   const auto in_s = from_s > 0 ? in_logarithm(f, from > 0 ? 1 : -1) : std::nullopt;
-  return in_s && has_no_zero(growth(*in_s, argument({}, from_s / 4, -1)));
+  return in_s ? std::optional<in_logarithm_beyond>({*in_s, from_s}) : std::nullopt;
+}
+
+/// Proved: f has one sign at all x >= from, or x <= from where from is negative, and |f| >= c there
+/// for some c > 0.
+bool is_away_from_zero(const expression& f, const rational& from) {
+  if (sign_over(f, all_beyond(from)) != 0) return true;
+  // t^a >= 1 for a <= 0.
+  const auto is_not_small = [](const growth_bound& v) {
+    return has_no_zero(v) && v.sign() != 0 && v.least_exponent() <= 0;
+  };
+  if (is_not_small(growth_beyond(f, from)) || is_not_small(growth(f, far(from)))) return true;
+  // |f| >= e^phi |h| u with u > 0, which is continuous for t > 0, has no zero there, and is
+  // unbounded at t = 0.
+  return tail_beyond(f, from).tends_to_infinity();
+}
+
+/// Proved: f is P g with g away from 0 and P of a period, and P is away from 0 on some interval, of
+/// length l. Then the integral over l has at least the same size in each period, and does not tend
+/// to 0: that over x >= from diverges.
+bool is_wave_away_from_zero(const expression& f, const rational& from) {
+  constexpr precision p = 64;
+  if (f.variables().size() != 1) return false;
+  const expression outward = from > 0 ? f : expression(f(-symbol::variable(0)), f.names());
+  const auto products = outward.as_periodic_products();
+  if (!products || products->terms.size() != 1) return false;
+  const auto& [periodic, steady] = products->terms.front();
+  if (!is_away_from_zero(steady, abs(from))) return false;
+  constexpr long places = 8;
+  const ball period = products->period.at(p);
+  for (long k = 0; k < places; ++k) {
+    const ball x =
+        hull(period * rational(3 * k + 1, 3 * places), period * rational(3 * k + 2, 3 * places));
+    if (sign_over(periodic, x) != 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+}  // namespace zero_free_ends_impl
+
+bool zero_free_ends::beyond(const rational& from) const {
+  const expression& f = formula_->f;
+  if (has_no_zero(growth_beyond(f, from)) || has_no_zero(growth(f, far(from))) ||
+      tail_beyond(f, from).sign() != 0) {
+    return true;
+  }
+  const auto in_s = in_logarithm(f, from);
+  if (in_s && has_no_zero(growth_beyond(in_s->f, in_s->from))) return true;
+  // Where 1/f has values, f is not 0.
+  const auto reciprocal =
+      from > 0 && f.variables().size() == 1 ? reciprocal_by_decay(f) : std::nullopt;
+  return reciprocal && !growth_beyond(*reciprocal, from).is_blocked();
+}
+
+bool zero_free_ends::diverges_beyond(const rational& from) const {
+  const expression& f = formula_->f;
+  if (is_away_from_zero(f, from) || is_wave_away_from_zero(f, from)) return true;
+  // With one sign and |f| >= c t^a, x = (from/4)/t: the integral of c t^a over x diverges for a <=
+  // 1.
+  const growth_bound bound = growth_beyond(f, from);
+  return has_no_zero(bound) && bound.sign() != 0 && bound.least_exponent() <= 1;
+}
+
+int zero_free_ends::sign_beyond(const rational& from) const {
+  const expression& f = formula_->f;
+  if (const int sign = sign_over(f, all_beyond(from)); sign != 0) return sign;
+  if (const int sign = sign_by_growth(f, from); sign != 0) return sign;
+  const auto in_s = in_logarithm(f, from);
+  return in_s ? sign_by_growth(in_s->f, in_s->from) : 0;
 }
 
 }  // namespace polhode

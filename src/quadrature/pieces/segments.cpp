@@ -294,6 +294,17 @@ std::optional<end_of_range> with_rational_distance(const end_of_range& end) {
   return end_of_range{end.at, nearer, false, end.end, sum_of(end.at, nearer, 1)};
 }
 
+/// The integral of f up to the infinite end diverges, from its start on or from some point beyond
+/// it.
+bool is_divergent_tail(const integrand& f, const end_of_range& end) {
+  if (!f.diverges_beyond || !end.start.exact()) return false;
+  constexpr unsigned tries = 5;
+  for (unsigned k = 0; k < tries; ++k) {
+    if (f.diverges_beyond(*end.start.exact() * rational(integer(1) << (4 * k)))) return true;
+  }
+  return false;
+}
+
 /// The part from `end` (t = 0), where f is not regular, to t = 1. direction: 1 where x runs away
 /// from the end as the integral does.
 void add_part(preparation& result, const integrand& f, const end_of_range& end, int direction,
@@ -349,8 +360,10 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
     }
   }
   if (end.infinite) {
-    result.why = reason::not_analytic;
-    result.obstacle = "no proof of decay at infinity (" + plan.obstacle + ")";
+    const bool diverges = is_divergent_tail(f, end);
+    result.why = diverges ? reason::not_integrable : reason::not_analytic;
+    result.obstacle = diverges ? "the integral diverges at infinity"
+                               : "no proof of decay at infinity (" + plan.obstacle + ")";
     return;
   }
   add_segment(result, affine_segment(f, end.at, end.start), end, end.end, end.start, direction);

@@ -1,0 +1,97 @@
+// Integrals to infinity that are proved to diverge, beside twins that converge.
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "polhode/expression/parse.hpp"
+#include "polhode/quadrature/integrate.hpp"
+#include "polhode/quadrature/zero_free_ends.hpp"
+#include "support/integrals_as_text.hpp"
+
+namespace polhode {
+namespace divergence_test {
+
+using support::number;
+
+reason why(const std::string& f, const std::string& a, const std::string& b) {
+  const integral found = integrate(parse(f), number(a), number(b), {.digits = 15});
+  return found.verdict == status::certified ? reason::none : found.why;
+}
+
+TEST(Divergence, OfWhatGrowsOrDoesNotDecay) {
+  for (const char* f :
+       {"exp(x)", "exp(x)-100", "exp(x)-x^3", "sinh(x)", "cosh(x)*exp(-x)", "exp(x^2)",
+        "exp(x)/x^2", "exp(sqrt(x))/(1+x)", "2^x", "log(x)^2*exp(x)", "erf(x)", "gamma(x)", "x^x",
+        "exp(exp(x))", "besselI(0,x)", "exp(x)-sin(x)", "exp(x^2)*erfc(x)", "exp(x)/(1+exp(x))",
+        // Kinks in the tail.
+        "max(exp(x),x^2)", "max(exp(-x),1/x)", "min(exp(x),x^2)", "max(exp(x)-20,0)*exp(-x)",
+        // Waves that do not decay.
+        "sin(x)", "sin(x)^2", "sin(x)*cos(x)", "sin(x)+cos(2*x)", "exp(x)*sin(x)", "x*sin(x)",
+        "log(x)*sin(x)", "sqrt(x)*cos(3*x)", "sin(x)*atan(x)", "cos(x)*tanh(x)", "exp(sin(x))",
+        "abs(sin(x))"}) {
+    EXPECT_EQ(why(f, "2", "inf"), reason::not_integrable) << f;
+  }
+  for (const char* f : {"exp(-x)", "x*sin(x)", "exp(-x)*sin(x)", "cosh(x)", "exp(x^2)"}) {
+    EXPECT_EQ(why(f, "-inf", "0"), reason::not_integrable) << f;
+    EXPECT_EQ(why(f, "-inf", "inf"), reason::not_integrable) << f;
+  }
+}
+
+TEST(Divergence, IsNotSaidOfTwinsThatConverge) {
+  for (const char* f :
+       {"exp(-x)", "cosh(x)*exp(-1.001*x)", "exp(-x^2)*exp(x)", "exp(x)/(1+exp(x))^2", "erfc(x)",
+        "1/gamma(x)", "x^(-x)", "exp(-exp(x))", "exp(-x)*besselI(0,x/2)", "max(exp(-x),1/x^2)",
+        "min(exp(-x),1/x)", "max(exp(x)-20,0)*exp(-1.001*x)", "sin(x)/x", "exp(-x/1000)*sin(x)",
+        "cos(x)/cosh(x/100)", "abs(sin(x))/x^2", "sin(x^2)", "x*sin(x^4)"}) {
+    EXPECT_EQ(why(f, "2", "inf"), reason::none) << f;
+  }
+}
+
+// What is near to the bounds: 1/x and what decays as fast, a sign that is not one, a wave that is
+// 0.
+TEST(Divergence, IsProvedOfTailsUpToTheReciprocal) {
+  const auto diverges = [](const std::string& f, const rational& from) {
+    return zero_free_ends(parse(f)).diverges_beyond(from);
+  };
+  EXPECT_TRUE(diverges("1/x", 2));
+  EXPECT_TRUE(diverges("1/(x+x^(1/pi))", 2));
+  EXPECT_TRUE(diverges("-1/x", -2));
+  EXPECT_FALSE(diverges("1/x^(1+1e-9)", 2));
+  EXPECT_FALSE(diverges("1/x^2", 2));
+  EXPECT_FALSE(diverges("x^(-sqrt(2))", 2));
+  EXPECT_FALSE(diverges("1/(x^2+x^(1/pi))", 2));
+  EXPECT_FALSE(diverges("exp(-x)", 2));
+  EXPECT_TRUE(diverges("exp(-x)", -2));
+  EXPECT_FALSE(diverges("sin(x)/x", 2));
+  EXPECT_TRUE(diverges("sin(x)*(1+1/x)", 2));
+  EXPECT_FALSE(diverges("sin(x)/log(x)", 2));
+  EXPECT_FALSE(diverges("sin(x)*exp(-x)", 2));
+  EXPECT_FALSE(diverges("exp(x)*sin(exp(2*x))", 2));
+  EXPECT_FALSE(diverges("exp(x)*(sin(x)^2+cos(x)^2-1)", 2));
+  EXPECT_FALSE(diverges("0*sin(x)", 2));
+  EXPECT_FALSE(diverges("x*(floor(x)-ceil(x-1))", 2));
+}
+
+TEST(Divergence, SignsBeyondAPoint) {
+  const auto sign = [](const std::string& f, const rational& from) {
+    return zero_free_ends(parse(f)).sign_beyond(from);
+  };
+  EXPECT_EQ(sign("exp(x)-x^3", 16), 1);
+  EXPECT_EQ(sign("x^3-exp(x)", 16), -1);
+  EXPECT_EQ(sign("exp(-x)-1/(1+x)^3", 16), -1);
+  EXPECT_EQ(sign("log(x)^2-sqrt(x)", 1 << 14), -1);
+  EXPECT_EQ(sign("log(x)^2-sqrt(x)", 16), 0);
+  EXPECT_EQ(sign("x-20", 16), 0);
+  EXPECT_EQ(sign("x-20", 21), 1);
+  EXPECT_EQ(sign("x-20", -1), -1);
+  EXPECT_EQ(sign("exp(-x)*(x-20)", 16), 0);
+  EXPECT_EQ(sign("sin(x)", 16), 0);
+  EXPECT_EQ(sign("floor(x)-20.5", 16), 0);
+  EXPECT_EQ(sign("1/(x-20)", 16), 0);
+  EXPECT_EQ(sign("sqrt(x-20)", 16), 0);
+}
+
+}  // namespace divergence_test
+}  // namespace polhode
