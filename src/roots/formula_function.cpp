@@ -62,11 +62,12 @@ struct supplement<function_structure> {
           return function_structure::value_alone(t, value);
         });
   }
-  // 1/Gamma is entire, and the poles of Gamma are its zeros, which are simple.
+  // 1/Gamma is entire, and the poles of Gamma are its zeros, which are simple; none is positive.
   static function_structure gamma(const function_structure& x) {
     const function_structure inverse = function_structure::applied(
         x, [](const auto& t) { return reciprocal_gamma(t); },
-        [](const ball& t) { return std::optional<ball>(reciprocal_gamma(t)); }, nullptr);
+        [](const ball& t) { return std::optional<ball>(reciprocal_gamma(t)); }, nullptr,
+        certainly_positive(x.over()[0]));
     return x.constant_like(rational(1)) / inverse;
   }
   static function_structure log_gamma(const function_structure& x) {

@@ -444,6 +444,44 @@ TEST(IsolateRoots, TowardsInfinity) {
   EXPECT_FALSE(s.regions.back().box.is_bounded());
   // A limit of 0 from above is no root.
   expect_resolved(isolate_roots([](const auto& x) { return 1 / (1 + exp(x)); }, 0, infinity), 0);
+  for (const char* f : {"airyAi(x)", "besselK(0,x)", "besselK(5/2,x)", "1/gamma(x)", "gamma(x)",
+                        "airyAi(x)*besselK(1,x)", "besselK(0,x)-exp(-2*x)"}) {
+    expect_resolved(isolate_roots(parse(f), 1, infinity), 0);
+  }
+}
+
+// Towards an end with infinitely many roots the nearest ones are found, and the rest is left open.
+TEST(IsolateRoots, EndAfterManyRootsTowardsInfinity) {
+  const end_point infinity = end_point::infinity();
+  const auto expect_nearest = [](const root_set& s, bool rightward, std::size_t most) {
+    EXPECT_FALSE(s.complete);
+    ASSERT_GE(s.regions.size(), 41U);
+    ASSERT_LE(s.regions.size(), most);
+    const root_region& rest = rightward ? s.regions.back() : s.regions.front();
+    EXPECT_EQ(rest.verdict, root_verdict::unresolved);
+    EXPECT_FALSE(rest.box.is_bounded());
+    EXPECT_NE(rest.remark.find("infinitely many"), std::string::npos) << rest.remark;
+    for (std::size_t k = 1; k < s.regions.size(); ++k) {
+      const root_region& root = s.regions[rightward ? k - 1 : k];
+      EXPECT_EQ(root.verdict, root_verdict::unique);
+      EXPECT_FALSE(overlaps(root.enclosure, rest.box));
+    }
+  };
+  const isolate_options few{.most_towards_infinity = 40};
+  for (const char* f : {"sin(x)/x", "x*sin(x)-1", "besselJ(0,x)", "sin(x^2)", "cos(exp(x))",
+                        "sin(log(x))", "airyAi(-x)"}) {
+    SCOPED_TRACE(f);
+    expect_nearest(isolate_roots(parse(f), 2, infinity, few), true, 41);
+    isolate_options threads = few;
+    threads.threads = 2;
+    EXPECT_EQ(isolate_roots(parse(f), 2, infinity, threads).regions.size(), 41U);
+  }
+  for (const char* f : {"sin(x)/x", "airyAi(x)", "besselJ(1,x)"}) {
+    SCOPED_TRACE(f);
+    expect_nearest(isolate_roots(parse(f), -infinity, -2, few), false, 100);
+  }
+  // Where it is proved that there are none from some point on, all are found.
+  expect_resolved(isolate_roots(parse("sin(x)-x/1000"), -infinity, infinity, few), 635);
 }
 
 TEST(IsolateRoots, SumsOfExponentialsTowardsInfinity) {
@@ -774,7 +812,7 @@ TEST(IsolateRoots, OfAPeriodicFunction) {
 }
 
 TEST(IsolateRoots, AnEndWhereNothingIsBoundedDoesNotHideTheRootsBesideIt) {
-  const root_set s = isolate_roots(parse("gamma(1/x) - 5"), 0, 1);
+  const root_set s = isolate_roots(parse("gamma(1/x) - 5*gamma(1/(2*x))"), 0, 1);
   ASSERT_EQ(s.regions.size(), 2U);
   EXPECT_EQ(s.regions[0].verdict, root_verdict::unresolved);
   EXPECT_TRUE(s.regions[0].box.magnitude_upper() < magnitude::power_of_two(-8));

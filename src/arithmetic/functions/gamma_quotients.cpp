@@ -42,6 +42,9 @@ series undefined_like(const series& x) {
 }  // namespace
 
 series reciprocal_gamma(const series& x) {
+  if (!x[0].is_bounded() && certainly_positive(x[0])) {
+    return detail::value_alone<1>(1 / gamma(x[0]), 1);
+  }
   const auto up = shifted_up(x);
   return up ? up->product * up->inverse : undefined_like(x);
 }

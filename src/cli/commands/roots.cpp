@@ -232,9 +232,15 @@ std::string number_text(const listed_root& r, long digits) {
 std::string bound_text(const ball& x) {
   constexpr long few = 12;
   if (x.is_bounded()) return to_decimal(x, few);
-  return x.is_undefined() || (!certainly_greater(x, 0) && !certainly_less(x, ball(0, 64)))
-             ? "the whole line"
-             : (certainly_greater(x, 0) ? "towards infinity" : "towards -infinity");
+  const auto is_finite = [](const mpfr_float& end) { return mpfr_number_p(end.backend().data()); };
+  if (x.is_undefined()) return "the whole line";
+  if (is_finite(lower(x))) {
+    return fmt::format("from {} towards infinity", to_decimal(ball(lower(x)), few));
+  }
+  if (is_finite(upper(x))) {
+    return fmt::format("from {} towards -infinity", to_decimal(ball(upper(x)), few));
+  }
+  return "the whole line";
 }
 
 /// In short where it is not known exactly.
@@ -300,7 +306,7 @@ std::string as_text(const answer& a, long digits) {
     if (s.pole_order > 0) {
       result += fmt::format("no root: a pole of order {} at {}\n", s.pole_order, place);
     } else {
-      const bool is_direction = place.rfind("towards", 0) == 0;
+      const bool is_direction = place.rfind("from", 0) == 0;
       result +=
           fmt::format("no root: not defined everywhere {}{}\n", is_direction ? "" : "in ", place);
     }

@@ -34,6 +34,20 @@ void value_of_bi_prime(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) {
   arb().acb_hypgeom_airy(nullptr, nullptr, nullptr, r, z, p);
 }
 
+// With y = (2/3) x^(3/2), Ai(x) = sqrt(x/3) K_(1/3)(y)/pi and -Ai'(x) = x/sqrt(3) K_(2/3)(y)/pi
+// (DLMF 9.6.2, 9.6.3). For x >= 4, where y > 5, k_at_infinity has these but for a share of (1/8 +
+// 1/6 e^(1/36))/y < (9/20) x^(-3/2), and of (1/8 + 2/3 e^(1/9))/y < (4/3) x^(-3/2).
+leading ai_at_infinity(const ball*, int sign) {
+  if (sign < 0) return std::nullopt;
+  return leading_term("exp(-2/3*x^(3/2))/(2*sqrt(pi)*x^(1/4))",
+                      "9/40*exp(-2/3*x^(3/2))/(sqrt(pi)*x^(7/4))");
+}
+leading ai_prime_at_infinity(const ball*, int sign) {
+  if (sign < 0) return std::nullopt;
+  return leading_term("-x^(1/4)*exp(-2/3*x^(3/2))/(2*sqrt(pi))",
+                      "2/3*exp(-2/3*x^(3/2))/(sqrt(pi)*x^(5/4))");
+}
+
 // With y = (2/3) x^(3/2), Bi(x) = sqrt(x/3) (I_(-1/3)(y) + I_(1/3)(y)) and Bi'(x) = x/sqrt(3)
 // (I_(-2/3)(y) + I_(2/3)(y)) (DLMF 9.6.4, 9.6.5), and I_(-nu) - I_nu = (2/pi) sin(nu pi) K_nu
 // (10.27.2), at most (2/pi) sqrt(pi/(2 y)) e^-y (1 + 1/y): for x >= 4, where y > 5, less than
@@ -59,7 +73,10 @@ std::vector<definition> airy_functions() {
                [](const ball*, int sign) {
                  return sign < 0 ? oscillating("2/(sqrt(3*pi)*(-x)^(1/4))")
                                  : steady("exp(-2/3*x^(3/2))/(2*sqrt(pi)*x^(1/4))");
-               }},
+               },
+           // Ai' has no zero x >= -1 (DLMF 9.9, table 9.9.1).
+           .is_monotonic = where_positive,
+           .near_infinity = ai_at_infinity},
           {.what = {"airyAiPrime", "x", "derivative of airyAi", "all x"},
            .value = value_of_ai_prime,
            .slope = "x*airyAi(x)",
@@ -67,7 +84,10 @@ std::vector<definition> airy_functions() {
                [](const ball*, int sign) {
                  return sign < 0 ? oscillating("2*(-x)^(1/4)/sqrt(3*pi)*(1+7/8*(1/x^2-1/x))")
                                  : steady("x^(1/4)*exp(-2/3*x^(3/2))/(2*sqrt(pi))*(1+x^(-3/2)/4)");
-               }},
+               },
+           // Ai'' = x Ai.
+           .is_monotonic = where_positive,
+           .near_infinity = ai_prime_at_infinity},
           {.what = {"airyBi", "x", "Airy, the one that grows", "all x"},
            .value = value_of_bi,
            .slope = "airyBiPrime(x)",

@@ -372,10 +372,15 @@ leading scaled_i_at_infinity(const ball* order, int sign) {
 // |nu t| <= |nu| sqrt(2 u) <= nu^2/4 + 2 u. That adds at most nu^2 e^(nu^2/4)/sqrt(2) times the
 // integral of sqrt(u) e^(-(x - 2) u), sqrt(pi)/2 (x - 2)^(-3/2) <= sqrt(2 pi) x^(-3/2) for x >= 4:
 // at most sqrt(2) nu^2 e^(nu^2/4) m/x.
-leading scaled_k_at_infinity(const ball* order, int sign) {
+leading k_with_factor(const ball* order, int sign, std::string_view factor) {
   constexpr long most = 20;
   if (sign < 0 || !(most_of(*order) <= most)) return std::nullopt;
-  return leading_term("sqrt(pi/(2*x))", "sqrt(pi/(2*x))*(1/8+3/2*nu^2*exp(nu^2/4))/x");
+  const std::string main = fmt::format("{}*sqrt(pi/(2*x))", factor);
+  return leading_term(main, main + "*(1/8+3/2*nu^2*exp(nu^2/4))/x");
+}
+leading k_at_infinity(const ball* order, int sign) { return k_with_factor(order, sign, "exp(-x)"); }
+leading scaled_k_at_infinity(const ball* order, int sign) {
+  return k_with_factor(order, sign, "1");
 }
 
 /// J and I: of a negative number where the order is whole; at 0 where it is not negative as well.
@@ -457,7 +462,8 @@ std::vector<definition> bessel_functions() {
            .is_nowhere_defined = not_positive,
            .bound = majorant_of_k,
            .is_monotonic = where_positive,
-           .near_zero = leading_of_k},
+           .near_zero = leading_of_k,
+           .near_infinity = k_at_infinity},
           {.what = {"besselIx", "nu, x", "exp(-x) besselI(nu, x)", domain},
            .has_order = true,
            .value = value_of_scaled_i,

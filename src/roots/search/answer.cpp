@@ -134,7 +134,7 @@ std::vector<singular_place> in_order(std::vector<singular_place> given) {
 root_set answer_of(const root_search::state& s) {
   root_set result;
   result.identically_zero = s.identically_zero;
-  result.complete = s.pending.empty();
+  result.complete = s.pending.empty() && !s.has_open_end;
   result.account = s.account;
   result.singular = s.singular;
   add_found(s, result);

@@ -117,7 +117,7 @@ class examination {
         return;
       case hardware_answer::wide:
         // The parts cost next to nothing.
-        if (b.halvings < cheap_halvings || !is_turn_for_structure(b.halvings)) {
+        if (b.halvings > 0 && (b.halvings < cheap_halvings || !is_turn_for_structure(b.halvings))) {
           return halve(std::move(b));
         }
         break;
@@ -235,7 +235,7 @@ class examination {
   }
 
   static bool is_turn_for_structure(int halvings) {
-    constexpr std::array turns = {8, 12, 16, 24, 32, 48, 64, 96, 128, 160, 192};
+    constexpr std::array turns = {0, 8, 12, 16, 24, 32, 48, 64, 96, 128, 160, 192};
     constexpr int later = 16;
     return std::find(turns.begin(), turns.end(), halvings) != turns.end() ||
            (halvings > turns.back() && halvings % later == 0);
@@ -425,7 +425,9 @@ class examination {
     }
     const auto zero = exact_zero_in(b);
     if (zero) return by_exact_point(b, wide, x, *zero) || by_growth(b, wide, x, *zero);
-    return !is_defined && by_removed_point(b, x);
+    // Beside a pole narrower boxes tell more, and cost less.
+    const bool is_worth_it = poles.empty() || is_turn_for_structure(b.halvings);
+    return !is_defined && is_worth_it && by_removed_point(b, x);
   }
 
   /// f is not 0 at the simplest rational number in x, or the simplest rational multiple of pi, or
@@ -656,9 +658,9 @@ class examination {
     work_box near = b;
     (rightward ? near.x.upper : near.x.lower) = cut;
     (rightward ? b.x.lower : b.x.upper) = cut;
-    if (rightward) std::swap(near, b);
-    result_.rest.push_back(std::move(near));
+    // Outward: the near part is on top.
     result_.rest.push_back(std::move(b));
+    result_.rest.push_back(std::move(near));
   }
 
   // -------------------------------------------------------------------------------------------

@@ -1,10 +1,12 @@
 #include "searcher.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <iterator>
 #include <utility>
 
+#include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
 
 #include "base/worker_threads.hpp"
@@ -70,6 +72,10 @@ class searcher {
         forget_ahead(s_.pending.back());
         s_.pending.back().is_left_whole = true;
       }
+      if (seems_endless(s_.pending.back())) {
+        leave_open_end();
+        continue;
+      }
       if (s_.pending.back().ahead == nullptr) examine_next();
       const work_box b = std::move(s_.pending.back());
       s_.pending.pop_back();
@@ -97,6 +103,66 @@ class searcher {
       end = &left.x.lower;
     }
     return true;
+  }
+
+  // -------------------------------------------------------------------------------------------
+  // Towards infinity
+
+  /// Many roots, or places where f is not defined, were found on the way to an infinite end, b is
+  /// next on that way, and f is not proved to have no root from some point on. To the left only
+  /// whole parts are passed, as a part is examined from its left end.
+  bool seems_endless(const work_box& b) {
+    const auto most = static_cast<std::size_t>(options_.most_towards_infinity);
+    if (s_.found.size() + s_.singular.size() < most || (!b.x.lower && !b.x.upper)) return false;
+    const bool rightward = b.x.lower.has_value();
+    std::optional<bool>& known = ends_somewhere_.at(rightward ? 1 : 0);
+    if (known && *known) return false;
+    const work_box& end = rightward ? s_.pending.front() : b;
+    if (rightward ? end.x.upper.has_value() || *b.x.lower < 0 : b.x.lower.has_value()) return false;
+    const auto is_on_this_side = [&](const double_interval& x) {
+      return rightward ? x.upper() >= 0 : x.lower() <= 0;
+    };
+    const auto roots = std::ranges::count_if(
+        s_.found, [&](const found_root& r) { return is_on_this_side(r.about); });
+    const auto others = std::ranges::count_if(s_.singular, [&](const singular_place& p) {
+      return is_on_this_side(double_interval::from_ball(p.place));
+    });
+    if (static_cast<std::size_t>(roots + others) < most) return false;
+    if (!known) known = has_rootless_end(end);
+    return !*known;
+  }
+  /// f is proved to have no root in a part of the unbounded box, up to infinity.
+  bool has_rootless_end(const work_box& b) {
+    const bool rightward = b.x.lower.has_value();
+    const rational size = std::max<rational>(rightward ? *b.x.lower : rational(-*b.x.upper), 1);
+    constexpr unsigned most_doublings = 64;
+    for (unsigned k = 4; k <= most_doublings; k += 4) {
+      work_box far = b;
+      const rational end = size * rational(integer(1) << k);
+      (rightward ? far.x.lower : far.x.upper) = rightward ? end : rational(-end);
+      const auto r = outcome_of(
+          [&](evaluators& own) { return examine_box(s_, options_, own, std::move(far)); });
+      if (r->error) return true;  // it will be met again
+      s_.account.evaluations += r->evaluations;
+      if (r->rest.empty() && r->stuck.empty()) return true;
+    }
+    return false;
+  }
+  /// Leaves the next box unresolved, and all that is beyond it.
+  void leave_open_end() {
+    s_.has_open_end = true;
+    const bool rightward = s_.pending.back().x.lower.has_value();
+    const std::string remark = fmt::format(
+        "there may be infinitely many roots: {} roots or singular places are nearer, and from no "
+        "point on it is proved that there are none; in a finite interval all are found",
+        options_.most_towards_infinity);
+    do {
+      work_box b = std::move(s_.pending.back());
+      s_.pending.pop_back();
+      forget_ahead(b);
+      b.remark = remark;
+      s_.stuck.push_back(std::move(b));
+    } while (rightward && !s_.pending.empty());
   }
 
   /// About the sum of the widths of the boxes that are left; nothing where one is unbounded.
@@ -350,6 +416,8 @@ class searcher {
   std::optional<worker_threads> workers_;
   tbb::enumerable_thread_specific<evaluators> evaluators_;
   long most_at_a_time_ = 1;
+  /// Whether f has no root from some point on, to the left and to the right, where it was asked.
+  std::array<std::optional<bool>, 2> ends_somewhere_;
   long waiting_ = 0;  // boxes that were examined and not merged yet
 };
 

@@ -100,6 +100,8 @@ struct root_search::state {
   std::vector<singular_place> singular;
   bool identically_zero = false;
   bool concluded = false;
+  /// The rest of the interval up to an infinite end was left, after many roots.
+  bool has_open_end = false;
   std::string limit;  // the one that ended the last run
   isolation_account account;
 };
