@@ -476,6 +476,40 @@ integral_case turning_end(maker& m) {
   return r;
 }
 
+/// An inverse function of u at the end of its domain, where u = 1 at an end that is no rational
+/// number as a rule, times u': known, by the antiderivative. A divergent twin in one case of five.
+integral_case inverse_at_its_end(maker& m) {
+  const auto [g, g_at_c, c] = turning_point_of(m);
+  const double end = approximately(c);
+  if (!(end > 0.01 && end < 3)) return inverse_at_its_end(m);
+  const term u = g / g_at_c;
+  term from = m.one_in(2) ? term(0) : m.rational_near(m.within(0.05, 0.9) * end);
+  if (approximately(from) > 0.97 * end) from = 0;
+  const term start = substituted(u, "x", from);
+  const double first = approximately(start);
+  if (!(first > -0.99 && first != 1)) return inverse_at_its_end(m);
+  integral_case r{derivative(g) / g_at_c, from, c, few_digits(m)};
+  const auto root = [](const term& w) { return call("sqrt", w); };
+  if (m.one_in(5)) {
+    r.diverges = true;
+    r.integrand = r.integrand / power(first < 1 ? call("acos", u) : call("acosh", u), 2);
+  } else if (first > 1) {
+    r.integrand = r.integrand * call("acosh", u);
+    r.value = root(power(start, 2) - 1) - start * call("acosh", start);
+  } else if (m.one_in(3)) {
+    r.integrand = r.integrand * call("asin", u);
+    r.value = term("pi") / 2 - start * call("asin", start) - root(1 - power(start, 2));
+  } else if (m.one_in(2)) {
+    r.integrand = r.integrand * call("acos", u);
+    r.value = root(1 - power(start, 2)) - start * call("acos", start);
+  } else {
+    r.integrand = r.integrand * call("atanh", u);
+    r.value =
+        call("log", term(2)) - start * call("atanh", start) - call("log", 1 - power(start, 2)) / 2;
+  }
+  return r;
+}
+
 /// 0/0 by constants that cancel, at an end or between the limits; a divergent twin in one case of
 /// four.
 integral_case removable(maker& m) {
@@ -1087,6 +1121,7 @@ std::vector<integral_family> end_families() {
           {"exponential tail", 7, mostly_cheap(exponential_tail)},
           {"special tail", 6, mostly_cheap(special_tail)},
           {"turning point at an end", 12, mostly_cheap(turning_end)},
+          {"inverse functions at their ends", 8, mostly_cheap(inverse_at_its_end)},
           {"irrational breaks", 8, mostly_cheap(irrational_breaks)},
           {"removable", 10, mostly_cheap(removable)},
           {"multiples of pi cancel", 10, mostly_cheap(multiples_of_pi_cancel)},

@@ -35,6 +35,12 @@ TEST(TurningPoints, HaveTheKnownValues) {
       {"cos(x)/sqrt(sin(2)-sin(x))", "0", "pi-2", "2*sqrt(sin(2))"},
       {"exp(x)*(exp(sqrt(3))-exp(x))^(-3/4)", "0", "sqrt(3)", "4*(exp(sqrt(3))-1)^(1/4)"},
       {"1/(sqrt(1-x^2)*sqrt(acos(x)-acos(1/3)))", "0", "1/3", "2*sqrt(pi/2-acos(1/3))"},
+      // Inverse functions at the ends of their domains.
+      {"asin(x/sqrt(3))", "0", "sqrt(3)", "sqrt(3)*(pi/2-1)"},
+      {"acos(x^2/2)*x", "0", "sqrt(2)", "1"},
+      {"acosh(x/sqrt(3))", "sqrt(3)", "2", "2*acosh(2/sqrt(3))-1"},
+      {"atanh(exp(x)/3)*exp(x)/3", "0", "log(3)", "log(2)-atanh(1/3)/3-log(8/9)/2"},
+      {"asin(sqrt(x/pi))/sqrt(x)", "0", "pi", "sqrt(pi)*(pi-2)"},
       // Absolute values that vanish, or have poles, at the limits and between them.
       {"log(abs(sin(x)))", "0", "2*pi", "-2*pi*log(2)"},
       {"log(abs(cos(x)))", "0", "pi", "-pi*log(2)"},

@@ -499,13 +499,15 @@ bool end_series::tends_to_0() const {
   return !s.blocked_ && s.exponent() > 0;
 }
 std::optional<long> end_series::exact_value_at_0() const {
+  constexpr long most = 1'000'000'000;
   const end_series p = plain("");
   if (p.blocked_) return std::nullopt;
   const known_number& c = p.terms_.front().at_0[0];
-  if (!c.exact()) return std::nullopt;
-  const rational& q = *c.exact();
-  if (denominator(q) != 1 || abs(numerator(q)) > 1'000'000'000) return std::nullopt;
-  return static_cast<long>(numerator(q));
+  if (!(c.enclosure().magnitude_upper() < ball(most, bits).magnitude_lower())) return std::nullopt;
+  const auto nearest = static_cast<long>(floor_of(lower_rational(c.enclosure()) + rational(1, 2)));
+  const known_number rest = c - nearest;
+  if (!contains_zero(rest.enclosure()) || !settled(rest).is_zero()) return std::nullopt;
+  return nearest;
 }
 
 // The inverse functions at the ends of their domains, by the roots that they have there:
