@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -119,11 +120,11 @@ class search {
       case operation::add:
         if (of_left && !of_right) return solve(n.left, subtract(g_, value, n.right), steps);
         if (of_right && !of_left) return solve(n.right, subtract(g_, value, n.left), steps);
-        return;
+        return solve_trinomial(n, value);
       case operation::subtract:
         if (of_left && !of_right) return solve(n.left, add(g_, value, n.right), steps);
         if (of_right && !of_left) return solve(n.right, subtract(g_, n.left, value), steps);
-        return;
+        return solve_trinomial(n, value);
       case operation::multiply:
         if (of_left && of_right) {
           if (!is_zero(value)) return;
@@ -190,6 +191,62 @@ class search {
                           : detail::find_function("root")->build(g_, {value, g_.number(exponent)});
     solve(n.left, x, steps);
     if (exponent % 2 == 0) solve(n.left, negate(g_, x), steps);
+  }
+
+  /// The coefficients of a polynomial in the variable, by their exponents; false for other formulas.
+  using coefficients = std::map<long, node_id>;
+  bool add_terms(node_id i, node_id factor, coefficients& terms) {
+    constexpr std::size_t most_terms = 8;
+    const detail::node n = g_[i];
+    const auto add_term = [&](long exponent) {
+      const auto [place, is_new] = terms.emplace(exponent, factor);
+      if (!is_new) place->second = add(g_, place->second, factor);
+      return terms.size() <= most_terms;
+    };
+    if (!varies(i)) {
+      factor = multiply(g_, factor, i);
+      return add_term(0);
+    }
+    const bool is_power = n.what == operation::power_integer && n.number > 0;
+    if (n.what == operation::variable) return add_term(1);
+    if (is_power && g_[n.left].what == operation::variable) return add_term(n.number);
+    if (n.what == operation::negate) return add_terms(n.left, negate(g_, factor), terms);
+    if (n.what == operation::add || n.what == operation::subtract) {
+      return add_terms(n.left, factor, terms) &&
+             add_terms(n.right, n.what == operation::add ? factor : negate(g_, factor), terms);
+    }
+    if (n.what == operation::multiply && !varies(n.left)) {
+      return add_terms(n.right, multiply(g_, factor, n.left), terms);
+    }
+    if (n.what == operation::multiply && !varies(n.right)) {
+      return add_terms(n.left, multiply(g_, factor, n.right), terms);
+    }
+    return false;
+  }
+  /// Adds the double zeros of a x^(2 d) + b x^d + c - value for d = 1 or 2, where x^d is -b/(2 a).
+  void solve_trinomial(const detail::node& n, node_id value) {
+    coefficients terms;
+    const node_id one = g_.number(1);
+    const node_id sign = n.what == operation::add ? one : g_.number(-1);
+    if (!add_terms(n.left, one, terms) || !add_terms(n.right, sign, terms)) return;
+    const long d = terms.rbegin()->first / 2;
+    const bool is_known = std::ranges::all_of(
+        terms, [&](const auto& t) { return t.first == 0 || t.first == d || t.first == 2 * d; });
+    if (!is_known || d < 1 || d > 2 || !terms.contains(d)) return;
+    const node_id a = terms.at(2 * d);
+    const node_id b = terms.at(d);
+    const node_id c = terms.contains(0) ? subtract(g_, terms.at(0), value) : negate(g_, value);
+    const node_id discriminant =
+        subtract(g_, multiply(g_, b, b), multiply(g_, g_.number(4), multiply(g_, a, c)));
+    const double_interval size = values_(g_, discriminant);
+    if (size.is_undefined() || certainly_positive(size) || certainly_negative(size)) return;
+    const node_id x = negate(g_, divide(g_, b, multiply(g_, g_.number(2), a)));
+    if (d == 1) {
+      found_.push_back(x);
+    } else {
+      found_.push_back(of("sqrt", x));
+      found_.push_back(negate(g_, found_.back()));
+    }
   }
 
   detail::graph g_;

@@ -35,6 +35,12 @@ TEST(TurningPoints, HaveTheKnownValues) {
       {"cos(x)/sqrt(sin(2)-sin(x))", "0", "pi-2", "2*sqrt(sin(2))"},
       {"exp(x)*(exp(sqrt(3))-exp(x))^(-3/4)", "0", "sqrt(3)", "4*(exp(sqrt(3))-1)^(1/4)"},
       {"1/(sqrt(1-x^2)*sqrt(acos(x)-acos(1/3)))", "0", "1/3", "2*sqrt(pi/2-acos(1/3))"},
+      // Double zeros of polynomials that are not written as squares.
+      {"sqrt(x^2-2*sqrt(2)*x+2)", "0", "3", "1+(3-sqrt(2))^2/2"},
+      {"log(x^2-2*sqrt(2)*x+2)", "0", "3",
+       "2*(sqrt(2)*(log(sqrt(2))-1)+(3-sqrt(2))*(log(3-sqrt(2))-1))"},
+      {"sqrt(x^4-4*x^2+4)", "0", "3", "3+8*sqrt(2)/3"},
+      {"sqrt(pi*x^2-2*pi^2*x+pi^3)", "0", "5", "sqrt(pi)*(pi^2+(5-pi)^2)/2"},
       // Inverse functions at the ends of their domains.
       {"asin(x/sqrt(3))", "0", "sqrt(3)", "sqrt(3)*(pi/2-1)"},
       {"acos(x^2/2)*x", "0", "sqrt(2)", "1"},
