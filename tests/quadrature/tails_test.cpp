@@ -66,6 +66,21 @@ TEST(Tails, OfExponentialDecayAreBounded) {
       [](const ball& x) { return x * x * exp(-1 / x) * (1 - 2 * x); }, rational(6, 5));
 }
 
+// Broken powers beside whole ones: in y with x = y^root, over x >= y^root.
+TEST(Tails, InARootAreBounded) {
+  const auto expect_tail = [](const char* f, long root, const ball& y, const ball& tail) {
+    const auto along =
+        tail_series::argument(known_number(rational(1)), 0.5, end_series::most_orders, root);
+    expect_bound(integrand_of(parse(f)).near_infinity(along).integral_beyond(y, root), tail,
+                 rational(11, 10), f);
+  };
+  const ball y(8, p);
+  expect_tail("exp(-x)", 2, y, exp(-y * y));
+  expect_tail("exp(-x)", 3, y, exp(-y * y * y));
+  expect_tail("exp(-x)*sqrt(x)", 2, y, y * exp(-y * y) + sqrt(pi(p)) / 2 * erfc(y));
+  expect_tail("exp(-sqrt(x))", 2, y, 2 * (y + 1) * exp(-y));
+}
+
 TEST(Tails, OfExponentialsOfRootsAreBounded) {
   const end_point infinity = end_point::infinity();
   const rational little(11, 10);

@@ -174,6 +174,8 @@ TEST(TurningPoints, ARootOfASeriesHasItsBounds) {
 // exponential.
 TEST(ByAnExponential, HaveTheKnownValues) {
   const std::vector<known> all{
+      {"exp(-x)*cosh(sqrt(x))", "0", "inf", "1+sqrt(pi)/2*exp(1/4)*erf(1/2)"},
+      {"airyAi(x)*exp(x)", "-inf", "inf", "exp(1/3)"},
       {"(1-x)^(-1/sqrt(2))", "0", "1", "1/(1-1/sqrt(2))"},
       {"sin(x)^pi", "0", "pi", "sqrt(pi)*gamma((pi+1)/2)/gamma(pi/2+1)"},
       {"x^(1/sqrt(2)-1)*(1-x)^(1/sqrt(3)-1)", "0", "1",

@@ -20,9 +20,9 @@ double_interval outward(const ball& x) { return double_interval::from_ball(x); }
 
 }  // namespace
 
-tail_series tail_series::argument(const known_number& s, double r, int orders) {
+tail_series tail_series::argument(const known_number& s, double r, int orders, long root) {
   const double most = std::min(r, 1.0);
-  const end_series x = end_series::argument(known_number(), s, -1, most, orders);
+  const end_series x = end_series::argument(known_number(), s, -root, most, orders);
   return {std::nullopt, x, x.constant_like(1), double_interval(1), most};
 }
 

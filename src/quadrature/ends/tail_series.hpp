@@ -27,9 +27,10 @@ class tail_series {
   static constexpr bool takes_exact_numbers = true;
   /// Blocked.
   tail_series() = default;
-  /// s/t for 0 < t <= r. An r above 1 counts as 1: of y = 1/t it is used that 0 <= log y <= y.
+  /// s/t^root for 0 < t <= r; a root of its own makes whole powers of t of broken powers of x. An r
+  /// above 1 counts as 1: of y = 1/t it is used that 0 <= log y <= y.
   [[nodiscard]] static tail_series argument(const known_number& s, double r,
-                                            int orders = end_series::most_orders);
+                                            int orders = end_series::most_orders, long root = 1);
 
   [[nodiscard]] tail_series blocked(std::string_view where) const;
   [[nodiscard]] bool is_blocked() const { return h_.is_blocked() || (phi_ && phi_->is_blocked()); }
@@ -59,7 +60,11 @@ class tail_series {
   ///
   /// the logarithm of v^Q e^(-c v) has the slope Q/v - c <= max(Q, 0)/V - c. Infinite where there
   /// is no exponential decay, or Y is too small.
-  [[nodiscard]] magnitude integral_beyond(const ball& y) const { return integral(y, 0); }
+  ///
+  /// With a root: of |f(s y^root)| root y^(root-1), for the argument with this root.
+  [[nodiscard]] magnitude integral_beyond(const ball& y, long root = 1) const {
+    return multiply_up(integral(y, root - 1), ball(root, 64).magnitude_upper());
+  }
   /// The same of |f(t)| over 0 < t <= 1/Y: with t = 1/y, dt = y^-2 dy in size.
   [[nodiscard]] magnitude integral_before(const ball& y) const { return integral(y, -2); }
 

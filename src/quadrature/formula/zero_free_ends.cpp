@@ -49,10 +49,17 @@ growth_bound far(const rational& from) {
 growth_bound growth_beyond(const expression& f, const rational& from) {
   return growth(f, argument({}, from / 4, -1));
 }
-/// The same where exponentials grow.
+/// The same where exponentials grow, at x = s/t^root; the root makes whole powers of t of broken
+/// powers of x.
 tail_series tail_beyond(const expression& f, const rational& from) {
-  const auto along = tail_series::argument(known_number(rational(from / 4)), 0.25);
-  return f.evaluator<tail_series>(192)(along);
+  tail_series tail;
+  for (const unsigned root : {1U, 2U, 3U, 6U}) {
+    const rational s = from / rational(integer(1) << (2 * root));
+    const auto along = tail_series::argument(known_number(s), 0.25, end_series::most_orders, root);
+    tail = f.evaluator<tail_series>(192)(along);
+    if (!tail.is_blocked()) break;
+  }
+  return tail;
 }
 
 /// f(at + side exp(-s)) as a formula in s; nothing where that is not available.

@@ -70,9 +70,9 @@ void add_analytic_pieces(preparation& result, const integrand& f, const end_poin
 
 /// A function that decays exponentially: at infinity, from x = s on, or at a finite end p, as
 /// exp(-1/x) at 0. It is cut off where the rest is less than about 2^-bits of the largest value
-/// seen.
+/// seen. At infinity x is s y^root.
 bool add_decaying_part(preparation& result, const integrand& f, const end_of_range& end,
-                       int direction, long bits) {
+                       int direction, long bits, long root) {
   const ball s = end.distance.at(192);
   const ball p = end.at.at(192);
   const double size =
@@ -88,7 +88,7 @@ bool add_decaying_part(preparation& result, const integrand& f, const end_of_ran
                          0x1p-48, 0x1p-64}) {
     const auto with_orders = [&](int orders) {
       return f.near_infinity(
-          end.infinite ? tail_series::argument(exactly(end.distance), r, orders)
+          end.infinite ? tail_series::argument(exactly(end.distance), r, orders, root)
                        : tail_series::argument(exactly(end.at), exactly(end.distance), r, orders));
     };
     // Few orders cost less and mostly suffice.
@@ -96,7 +96,7 @@ bool add_decaying_part(preparation& result, const integrand& f, const end_of_ran
     if (tail.is_blocked()) tail = with_orders(end_series::most_orders);
     if (tail.is_blocked()) continue;
     const auto left = [&](const ball& y) {
-      return end.infinite ? tail.integral_beyond(y) : tail.integral_before(y);
+      return end.infinite ? tail.integral_beyond(y, root) : tail.integral_before(y);
     };
     const double y = cut_for(left, r, goal);
     if (y == 0) continue;
@@ -104,12 +104,22 @@ bool add_decaying_part(preparation& result, const integrand& f, const end_of_ran
     result.remainder = result.remainder.enlarged(rest);
     result.has_tail = true;
     const rational exact_y = lower_rational(ball::exactly(y, 64));
-    const end_point far =
-        sum_of(end.at, end.distance, end.infinite ? exact_y : rational(1 / exact_y));
+    rational factor = end.infinite ? rational(1) : rational(1 / exact_y);
+    for (long k = 0; end.infinite && k < root; ++k) factor *= exact_y;
+    const end_point far = sum_of(end.at, end.distance, factor);
     result.parts.push_back(end.part(end.end, far, direction));
     const part_done rest_of_it = end.part(far, end.start, direction);
     add_analytic_pieces(result, f, rest_of_it.from, rest_of_it.to, bits);
     return true;
+  }
+  return false;
+}
+/// The same with the roots that make whole powers of most broken ones.
+bool add_decaying_part(preparation& result, const integrand& f, const end_of_range& end,
+                       int direction, long bits) {
+  for (const long root : {1L, 2L, 3L, 6L}) {
+    if (add_decaying_part(result, f, end, direction, bits, root)) return true;
+    if (!end.infinite) break;
   }
   return false;
 }
