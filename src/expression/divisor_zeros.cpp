@@ -193,7 +193,8 @@ class search {
     if (exponent % 2 == 0) solve(n.left, negate(g_, x), steps);
   }
 
-  /// The coefficients of a polynomial in the variable, by their exponents; false for other formulas.
+  /// The coefficients of a polynomial in the variable, by their exponents; false for other
+  /// formulas.
   using coefficients = std::map<long, node_id>;
   bool add_terms(node_id i, node_id factor, coefficients& terms) {
     constexpr std::size_t most_terms = 8;

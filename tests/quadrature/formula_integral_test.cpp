@@ -43,10 +43,10 @@ TEST(FormulaIntegral, DivergentOnesAreRefused) {
 }
 
 TEST(FormulaIntegral, EndlessPanelsAreGivenUpWithThePoint) {
-  for (const char* formula : {"sqrt(x^4-4*x^2+4)", "sqrt(x^2-2*sqrt(2)*x+2)"}) {
+  for (const char* formula : {"sqrt(exp(2*x)-6*exp(x)+9)", "sqrt(sinh(x)^2-8/3*sinh(x)+16/9)"}) {
     const integral found = integrate(parse(formula), 0, 3, {.digits = 30});
     EXPECT_EQ(found.why, reason::not_analytic) << formula;
-    EXPECT_NE(found.obstacle.find("the branch cut of sqrt near x = 1.41"), std::string::npos)
+    EXPECT_NE(found.obstacle.find("the branch cut of sqrt near x = 1.09"), std::string::npos)
         << found.obstacle;
   }
 }
