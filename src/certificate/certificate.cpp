@@ -160,6 +160,9 @@ json to_json(const ball& x, long digits) {
   if (d.exact) result["exact"] = true;
   return result;
 }
+json to_json(const complex_ball& z, long digits) {
+  return {{"real", to_json(z.re, digits)}, {"imaginary", to_json(z.im, digits)}};
+}
 
 json to_dyadic_json(const ball& x) {
   if (!x.is_bounded()) return nullptr;

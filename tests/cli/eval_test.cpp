@@ -199,6 +199,43 @@ TEST(Eval, JsonHasTheEnclosureAndTheVerdict) {
   EXPECT_TRUE(undefined.at("number").at("lower").is_null());
 }
 
+// Values of mpmath 1.3.
+TEST(Eval, ComplexValues) {
+  const auto is = [](const std::string& formula, const std::string& re, const std::string& im) {
+    EXPECT_EQ(certified(formula, {"--digits", "15"}),
+              "real part      " + re + "\nimaginary part " + im + '\n')
+        << formula;
+  };
+  is("gamma(1/4+i)", "0.0991497587634533...", "-0.516617743792885...");
+  is("lambertW(1+i)", "0.656966069230436...", "0.325450339413415...");
+  is("besselJ(1/3,2+3i)", "1.69009520279896...", "-3.94540478670958...");
+  is("ellipticK(1/2+i)", "1.49610681459271...", "0.431362233021048...");
+  is("agm(1,1+i)", "1.04916052873278...", "0.478155746088161...");
+  is("asin(2+i)", "1.06344002357775...", "1.46935174436818...");
+  is("expint(1,1+i)", "0.000281624451981418...", "-0.179324535039358...");
+  is("i^i", "0.207879576350761...", "0");
+  is("(1+i)^10", "0", "32");
+  is("sqrt(-1+0*i)", "0", "1");
+  EXPECT_EQ(run({"eval", "abs(2)*(k+i)", "--let", "k=2"}).out,
+            "real part      4\nimaginary part 2\n");
+}
+
+TEST(Eval, APartOfAComplexValueThatMayBeZeroHasItsDigitsBesideTheOther) {
+  const std::string turn = certified("e^(i*pi)", {"--digits", "20"});
+  EXPECT_EQ(turn.rfind("real part      -1 ± 1e-22\nimaginary part 0 ± ", 0), 0U) << turn;
+  EXPECT_NE(turn.find("\ncertified (relative to the absolute value): "), std::string::npos);
+  expect_not_certified("1/(sin(i)^2+cos(i)^2-1)", {"undefined", "not defined"});
+  expect_not_certified("sin(i)^2+cos(i)^2-1", {"precision limit"});
+  expect_refused({"eval", "abs(3+4*i)"}, {"abs", "real numbers"});
+  expect_refused({"eval", "floor(2*i)"}, {"floor", "real numbers"});
+  expect_refused({"eval", "exp(i)", "--verify"}, {"--verify", "no second route"});
+  expect_refused({"eval", "foo(i)"}, {"foo"});
+  EXPECT_EQ(run({"eval", "i", "--let", "i=3"}).out.substr(0, 9), "3 exactly");
+  const json number = json::parse(eval("exp(i)", {"--format", "json"}).out).at("number");
+  expect_enclosure(number.at("real"), 50);
+  expect_enclosure(number.at("imaginary"), 50);
+}
+
 TEST(Eval, LetDefinesNames) {
   EXPECT_EQ(run({"eval", "a*b", "--let", "a=1/3", "--let", "b=a + 1"}).out.substr(0, 11),
             "4/9 exactly");

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "polhode/arithmetic/ball.hpp"
+#include "polhode/arithmetic/complex_ball.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/verdict.hpp"
 
@@ -83,6 +84,8 @@ struct certificate {
 /// where the value is not cut off, and "exact": true where it is. An unbounded or undefined ball
 /// gives nulls in place of decimals.
 [[nodiscard]] json to_json(const ball& x, long digits);
+/// {"real", "imaginary"}.
+[[nodiscard]] json to_json(const complex_ball& z, long digits);
 
 /// The exact ends: {"lower": {"mantissa": "...", "exponent": e}, "upper": ...}, mantissa *
 /// 2^exponent with decimal integers in strings. Null for an unbounded or undefined ball.

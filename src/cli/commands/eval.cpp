@@ -11,8 +11,10 @@
 #include "cli/options/formula.hpp"
 #include "cli/options/memory_limit.hpp"
 #include "cli/options/options.hpp"
+#include "cli/options/path_option.hpp"
 #include "cli/options/second_opinion.hpp"
 #include "cli/options/time_limit.hpp"
+#include "cli/output/errors.hpp"
 #include "cli/output/exact_decimals.hpp"
 #include "cli/output/json_document.hpp"
 #include "cli/output/layout.hpp"
@@ -169,6 +171,85 @@ std::string as_text(const expression& f, const answer& a, long digits) {
 }
 
 // ---------------------------------------------------------------------------------------------
+// Complex values
+
+/// The formula with the imaginary unit i for a variable, where it can be read so.
+std::optional<expression> formula_with_unit(const eval_options& options) {
+  try {
+    return read_formula(*options.formula, {imaginary_unit}, options.let);
+  } catch (const usage_error&) {
+    return std::nullopt;
+  }
+}
+
+struct complex_answer {
+  complex_ball enclosure;
+  precision bits = 0;
+  reason why = reason::none;
+  /// A part that cannot be told from 0 has its digits beside the absolute value.
+  bool is_beside_size = false;
+};
+
+complex_answer enclose_complex(const expression& f, long digits, const progress& line) {
+  const precision needed = bits_for_digits(digits);
+  const precision most = greatest_working_precision(f, needed);
+  const auto has_digits = [&](const ball& part) {
+    return part.radius().is_zero() || shows_digits(part, digits);
+  };
+  complex_answer result;
+  for (precision guard = 32; result.bits < most; guard *= 4) {
+    result.bits = std::min(needed + guard, most);
+    line.show(fmt::format("computing with {} bits", result.bits));
+    result.enclosure = f.evaluator<complex_ball>(result.bits)(complex_ball::i(result.bits));
+    const complex_ball& z = result.enclosure;
+    if (z.is_bounded() && has_digits(z.re) && has_digits(z.im)) return result;
+    // A part that is 0 has no digits of its own, however many bits are spent.
+    constexpr precision ample = 512;
+    result.is_beside_size = guard >= ample && goal{digits}.is_met_by(z);
+    if (result.is_beside_size) return result;
+  }
+  result.why = result.enclosure.is_bounded() ? reason::precision_limit : reason::not_defined;
+  return result;
+}
+
+exit_status print_complex(const expression& f, const eval_options& options) {
+  const long digits = options.digits.value();
+  if (const auto name = f.function_not_analytic()) {
+    throw usage_error(fmt::format("{}: {} is known of real numbers alone, and i is in its argument",
+                                  in_quotes(*options.formula), *name));
+  }
+  if (options.verify.given) {
+    throw usage_error("--verify: there is no second route to the value of a formula with i");
+  }
+  const complex_answer a = [&] {
+    const progress line;
+    const time_watch watch(options.time_limit.limit());
+    return enclose_complex(f, digits, line);
+  }();
+  const bool is_certified = a.why == reason::none;
+  const std::string remark =
+      a.why == reason::not_defined
+          ? "a function in it is not defined, or not proved to be analytic, where it is taken"
+          : fmt::format("computed with {} bits", a.bits);
+  if (options.format.value() == "json") {
+    json described{{"expression", f.to_text()},
+                   {"verdict", to_text(is_certified ? status::certified : status::not_certified)}};
+    if (!is_certified) described["reason"] = to_text(a.why);
+    if (!is_certified || a.is_beside_size) described["remark"] = remark;
+    if (a.is_beside_size) described["relative_to"] = "the absolute value";
+    described["number"] = to_json(a.enclosure, digits);
+    print(json_document_text("value", described));
+  } else {
+    print(text_of_parts(a.enclosure, digits) +
+          (!is_certified ? fmt::format("not certified: {} ({})\n", to_text(a.why), remark)
+           : a.is_beside_size
+               ? fmt::format("certified (relative to the absolute value): {}\n", remark)
+               : ""));
+  }
+  return is_certified ? exit_status::all_certified : exit_status::not_certified;
+}
+
+// ---------------------------------------------------------------------------------------------
 // The command
 
 json as_json(const expression& f, json number, const answer& a, long digits) {
@@ -214,7 +295,20 @@ exit_status run(const eval_options& options) {
   if (!options.formula) {
     throw usage_error("there is no formula; give one, such as `polhode eval \"sqrt(2)/3\"`");
   }
-  const expression f = read_formula(*options.formula, {}, options.let);
+  std::optional<expression> with_unit;
+  const expression f = [&] {
+    try {
+      return read_formula(*options.formula, {}, options.let);
+    } catch (const usage_error&) {
+      with_unit = formula_with_unit(options);
+      if (!with_unit) throw;
+      return *with_unit;
+    }
+  }();
+  if (with_unit) {
+    options.memory_limit.check(estimate(f, digits));
+    return print_complex(f, options);
+  }
   const memory_estimate memory = estimate(f, digits);
   options.memory_limit.check(memory);
   (void)options.time_limit.limit();
@@ -288,10 +382,12 @@ command eval_command() {
       "  polhode eval \"exp(pi*sqrt(163)) - 262537412640768744\"\n"
       "  polhode eval \"2*agm(1, k)^-1\" --let \"k=sqrt(2)/2\" --digits 1000\n"
       "  polhode eval \"-2^2\"\n"
-      "  polhode eval \"zeta(3)/log(2)\" --verify\n\n"
+      "  polhode eval \"zeta(3)/log(2)\" --verify\n"
+      "  polhode eval \"gamma(1/4+i)*exp(i*pi/8)\"\n\n"
       "Operators, from weak to strong: + -, * /, the sign -, ^ (or **) from the right, ! of whole\n"
       "numbers. x^n is defined for every x where n is a whole number, with 0^0 = 1; x^y else for\n"
-      "x > 0, and 0^y = 0 for y > 0. Functions:\n\n" +
+      "x > 0, and 0^y = 0 for y > 0. A formula with the imaginary unit i has a complex value, of\n"
+      "principal branches. Functions:\n\n" +
           names_of_functions() +
           "\nThe precision is raised until the digits are certain: they are the first N of the "
           "true\n"

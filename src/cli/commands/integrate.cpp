@@ -132,12 +132,7 @@ std::string account_text(const integral_account& a) {
 std::string number_text(const ball& x, long digits) {
   return x.is_bounded() ? to_text(to_decimal_enclosure(x, digits)) + '\n' : "undefined\n";
 }
-std::string number_text(const complex_ball& z, long digits) {
-  if (!z.is_bounded()) return "undefined\n";
-  return fmt::format("real part      {}\nimaginary part {}\n",
-                     to_text(to_decimal_enclosure(z.re, digits)),
-                     to_text(to_decimal_enclosure(z.im, digits)));
-}
+std::string number_text(const complex_ball& z, long digits) { return text_of_parts(z, digits); }
 
 /// False of a value that cannot be told from 0.
 template <class Integral>
@@ -158,11 +153,6 @@ std::string as_text(const Integral& i, long digits) {
   std::string result = number + fmt::format("not certified: {}", to_text(i.why));
   if (!i.obstacle.empty()) result += fmt::format(" ({})", i.obstacle);
   return result + '\n';
-}
-
-json number_json(const ball& x, long digits) { return to_json(x, digits); }
-json number_json(const complex_ball& z, long digits) {
-  return {{"real", to_json(z.re, digits)}, {"imaginary", to_json(z.im, digits)}};
 }
 
 /// What was asked for, and the verdict.
@@ -200,7 +190,7 @@ template <class Integral>
 json as_json(const expression& f, const integrate_command_options& options, const Integral& i,
              long digits) {
   json result = describe(f, options, i);
-  result["number"] = number_json(i.enclosure, digits);
+  result["number"] = to_json(i.enclosure, digits);
   result["account"] = as_json(i.account);
   return result;
 }

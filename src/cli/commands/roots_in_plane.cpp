@@ -70,8 +70,7 @@ json as_json(const expression& f, const roots_options& options, const std::strin
   for (const complex_root& r : a.roots) {
     json entry{{"verdict", r.multiplicity == 1 ? "unique" : "multiple"},
                {"multiplicity", r.multiplicity}};
-    entry["number"] = {{"real", to_json(r.enclosure.re, digits)},
-                       {"imaginary", to_json(r.enclosure.im, digits)}};
+    entry["number"] = to_json(r.enclosure, digits);
     if (r.exact) entry["number"]["rational"] = to_text(*r.exact);
     list.push_back(std::move(entry));
   }

@@ -57,10 +57,7 @@ struct enclosure_as_json {
 
   json operator()(const std::monostate&) const { return {}; }
   json operator()(const ball& x) const { return polhode::to_json(x, digits); }
-  json operator()(const complex_ball& z) const {
-    return {{"real", polhode::to_json(z.re, digits)},
-            {"imaginary", polhode::to_json(z.im, digits)}};
-  }
+  json operator()(const complex_ball& z) const { return polhode::to_json(z, digits); }
   json operator()(const proved_roots& list) const { return to_json(list, digits); }
 };
 

@@ -155,4 +155,15 @@ std::string decimal_of(const exact_real& x, long digits) {
   return to_decimal_enclosure(enclosed(x, digits), digits).value;
 }
 
+std::string text_of_parts(const complex_ball& z, long digits) {
+  if (!z.is_bounded()) return "undefined\n";
+  const auto part = [&](const ball& x) {
+    // What cannot be told from 0 is 0 with an error.
+    const bool may_be_0 = contains_zero(x) && !x.radius().is_zero();
+    const ball shown = may_be_0 ? ball(0, x.precision()).enlarged(x.magnitude_upper()) : x;
+    return to_text(to_decimal_enclosure(shown, digits));
+  };
+  return fmt::format("real part      {}\nimaginary part {}\n", part(z.re), part(z.im));
+}
+
 }  // namespace polhode::cli

@@ -1,9 +1,10 @@
 #pragma once
 
-// Rational numbers as decimals, for output.
+// Numbers as decimals, for output.
 
 #include <string>
 
+#include "polhode/arithmetic/complex_ball.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/exact_real.hpp"
 #include "polhode/arithmetic/text.hpp"
@@ -51,6 +52,9 @@ struct leading_digits {
 [[nodiscard]] json exact_json(const rational& q, long digits);
 /// The same; of an irrational number its enclosure.
 [[nodiscard]] json exact_json(const exact_real& x, long digits);
+
+/// "real part ..." and "imaginary part ...", in two lines; "undefined" where it is not bounded.
+[[nodiscard]] std::string text_of_parts(const complex_ball& z, long digits);
 
 /// The decimal to so many digits, cut off.
 [[nodiscard]] std::string decimal_of(const exact_real& x, long digits);
