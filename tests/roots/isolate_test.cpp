@@ -467,7 +467,7 @@ TEST(IsolateRoots, EndAfterManyRootsTowardsInfinity) {
       EXPECT_FALSE(overlaps(root.enclosure, rest.box));
     }
   };
-  const isolate_options few{.most_towards_infinity = 40};
+  const isolate_options few{.most_towards_end = 40};
   for (const char* f : {"sin(x)/x", "x*sin(x)-1", "besselJ(0,x)", "sin(x^2)", "cos(exp(x))",
                         "sin(log(x))", "airyAi(-x)"}) {
     SCOPED_TRACE(f);
@@ -479,6 +479,26 @@ TEST(IsolateRoots, EndAfterManyRootsTowardsInfinity) {
   for (const char* f : {"sin(x)/x", "airyAi(x)", "besselJ(1,x)"}) {
     SCOPED_TRACE(f);
     expect_nearest(isolate_roots(parse(f), -infinity, -2, few), false, 100);
+  }
+  // Towards an end at which it is not defined.
+  for (const auto& [f, lower, upper] :
+       std::vector<std::tuple<const char*, long, long>>{{"sin(1/x)", 0, 1},
+                                                        {"x*sin(1/x)", 0, 1},
+                                                        {"sin(1/x)-x", 0, 1},
+                                                        {"cos(1/x^2)", 0, 2},
+                                                        {"sin(1/(x-1))", 0, 1},
+                                                        {"besselJ(0,1/x)", 0, 1},
+                                                        {"sin(1/x)", -1, 0}}) {
+    SCOPED_TRACE(f);
+    const root_set s = isolate_roots(parse(f), lower, upper, few);
+    EXPECT_FALSE(s.complete);
+    ASSERT_GE(s.regions.size(), 40U);
+    const bool is_lower = lower == 0 && std::string(f) != "sin(1/(x-1))";
+    const root_region& rest = is_lower ? s.regions.front() : s.regions.back();
+    EXPECT_NE(rest.remark.find("infinitely many"), std::string::npos) << rest.remark;
+    const auto unresolved = std::ranges::count_if(
+        s.regions, [](const root_region& r) { return r.verdict == root_verdict::unresolved; });
+    EXPECT_EQ(unresolved, 1);
   }
   // Where it is proved that there are none from some point on, all are found.
   expect_resolved(isolate_roots(parse("sin(x)-x/1000"), -infinity, infinity, few), 635);

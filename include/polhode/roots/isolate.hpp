@@ -31,7 +31,8 @@
 //   f certainly not 0 at a point, or not defined, and so on either side: no root;
 //   no factor of the numerator vanishes: no root, but a pole where the denominator does;
 //   towards infinity, |f(x)| >= k |x|^a with k > 0 from some x on (zero_free_ends.hpp): no root.
-// An unbounded interval is searched outward, in parts whose lengths double.
+// An unbounded interval is searched outward, in parts whose lengths double, and one with an end at
+// which f is not defined towards that end.
 // What an examination of a box has proved, it says of pieces, and the search proves in exact
 // arithmetic that the pieces make up the box; the result is made only where all pieces, settled and
 // open, are proved to make up the interval, each point once. Otherwise std::logic_error is thrown:
@@ -139,10 +140,10 @@ struct isolate_options {
   /// Boxes that may be left unresolved: more of them are a function that is 0 on an interval that
   /// is not recognised, or the like.
   long most_unresolved = 2'000;
-  /// Towards an infinite end so many roots and singular places are found before the rest is left
-  /// unresolved, unless f is proved to have no root from some point on: mostly there are infinitely
-  /// many.
-  long most_towards_infinity = 100;
+  /// Towards an end that is infinite, or at which f is not defined, so many roots and singular
+  /// places are found before the rest is left unresolved, unless f is proved to have no root from
+  /// some point on: mostly there are infinitely many.
+  long most_towards_end = 100;
   /// The time that one run may take.
   std::optional<std::chrono::milliseconds> most_time = std::nullopt;
   /// How often a box may be halved before it is left unresolved; twelve times as often where f is

@@ -130,7 +130,7 @@ class examination {
     if (is_certainly_not_zero(over[0])) return exclude(b.x, x);
     if (over[0].is_undefined() || over[1].is_undefined()) {
       if (has_no_root_where_defined(b) || by_structure(b)) return;
-      return b.is_left_whole ? leave(std::move(b)) : halve(std::move(b));
+      return b.is_left_whole ? leave(std::move(b)) : halve(std::move(b), true);
     }
     const ball middle(b.x.middle(), b.bits);
     const series_type at_middle = series(b, middle, n);
@@ -306,7 +306,8 @@ class examination {
            (*x.upper < 0 && *x.lower < far_apart * *x.upper);
   }
 
-  void halve(work_box b) {
+  /// From left to right; towards the lower end of the interval, where f is singular there.
+  void halve(work_box b, bool is_singular = false) {
     constexpr int times_around_zero = 12;
     const auto zero = b.halvings >= halvings_beside_zero ? kink_in(b) : std::nullopt;
     const bool goes_on = b.halvings < options_.most_halvings ||
@@ -319,6 +320,10 @@ class examination {
     // A part beside an exact zero is at a scale of its own.
     if (zero && *zero < *right.x.lower) right.halvings = halvings_beside_zero;
     if (zero && *zero > *b.x.upper) b.halvings = halvings_beside_zero;
+    const exact_box& whole = s_.settled[b.problem].whole();
+    b.is_at_singular_end = is_singular && b.x.lower == whole.lower;
+    right.is_at_singular_end = is_singular && right.x.upper == whole.upper;
+    if (b.is_at_singular_end) std::swap(b, right);
     result_.rest.push_back(std::move(right));
     result_.rest.push_back(std::move(b));
   }
@@ -697,7 +702,7 @@ class examination {
     r.box = r.enclosure = b.x.to_ball(b.bits);
     r.remark = b.remark;
     r.function = r.simple = problem(b).g;
-    if (b.x.is_bounded()) {
+    if (b.x.is_bounded() && !b.is_open_end) {
       // A structure that no single one of its boxes had.
       const exact_box wide = widened(b.x);
       if (by_structure(b) || by_jumps(b, wide, wide.to_ball(b.bits))) return;

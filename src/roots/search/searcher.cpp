@@ -108,12 +108,18 @@ class searcher {
   // -------------------------------------------------------------------------------------------
   // Towards infinity
 
-  /// Many roots, or places where f is not defined, were found on the way to an infinite end, b is
-  /// next on that way, and f is not proved to have no root from some point on. To the left only
-  /// whole parts are passed, as a part is examined from its left end.
+  /// Many roots, or places where f is not defined, were found on the way to an infinite or
+  /// singular end, b is next on that way, and f is not proved to have no root from some point on.
+  /// To the left only whole parts are passed, as a part is examined from its left end.
   bool seems_endless(const work_box& b) {
-    const auto most = static_cast<std::size_t>(options_.most_towards_infinity);
+    const auto most = static_cast<std::size_t>(options_.most_towards_end);
     if (s_.found.size() + s_.singular.size() < most || (!b.x.lower && !b.x.upper)) return false;
+    if (b.is_at_singular_end) {
+      const bool rightward = b.x.lower != s_.settled[b.problem].whole().lower;
+      std::optional<bool>& known = ends_somewhere_.at(rightward ? 3 : 2);
+      if (!known) known = is_rootless_beside_end(b, rightward);
+      return !*known;
+    }
     const bool rightward = b.x.lower.has_value();
     std::optional<bool>& known = ends_somewhere_.at(rightward ? 1 : 0);
     if (known && *known) return false;
@@ -148,21 +154,34 @@ class searcher {
     }
     return false;
   }
-  /// Leaves the next box unresolved, and all that is beyond it.
+  /// f is proved to have no root in a part of the bounded box, up to its upper or lower end.
+  [[nodiscard]] bool is_rootless_beside_end(const work_box& b, bool is_upper) const {
+    const real_function& f = *s_.problems[b.problem].g;
+    const pi_combination end{is_upper ? *b.x.upper : *b.x.lower, 0};
+    constexpr unsigned most_halvings = 64;
+    for (unsigned k = 4; k <= most_halvings; k += 4) {
+      const rational width = b.x.width() / rational(integer(1) << k);
+      if (f.has_no_root_beside(end, is_upper ? rational(-width) : width)) return true;
+    }
+    return false;
+  }
+  /// Leaves the next box unresolved, and all that is beyond it on the way to an infinite end.
   void leave_open_end() {
     s_.has_open_end = true;
-    const bool rightward = s_.pending.back().x.lower.has_value();
+    const work_box& next = s_.pending.back();
+    const bool takes_all = !next.is_at_singular_end && next.x.lower.has_value();
     const std::string remark = fmt::format(
-        "there may be infinitely many roots: {} roots or singular places are nearer, and from no "
-        "point on it is proved that there are none; in a finite interval all are found",
-        options_.most_towards_infinity);
+        "there may be infinitely many roots: {} roots or singular places were found before it, and "
+        "none is proved to be the last; in an interval that ends before, all are found",
+        options_.most_towards_end);
     do {
       work_box b = std::move(s_.pending.back());
       s_.pending.pop_back();
       forget_ahead(b);
       b.remark = remark;
+      b.is_open_end = true;
       s_.stuck.push_back(std::move(b));
-    } while (rightward && !s_.pending.empty());
+    } while (takes_all && !s_.pending.empty());
   }
 
   /// About the sum of the widths of the boxes that are left; nothing where one is unbounded.
@@ -416,8 +435,9 @@ class searcher {
   std::optional<worker_threads> workers_;
   tbb::enumerable_thread_specific<evaluators> evaluators_;
   long most_at_a_time_ = 1;
-  /// Whether f has no root from some point on, to the left and to the right, where it was asked.
-  std::array<std::optional<bool>, 2> ends_somewhere_;
+  /// Whether f has no root from some point on, to the left and to the right, towards infinity and
+  /// towards a singular end, where it was asked.
+  std::array<std::optional<bool>, 4> ends_somewhere_;
   long waiting_ = 0;  // boxes that were examined and not merged yet
 };
 

@@ -35,6 +35,10 @@ struct work_box {
   std::string remark;  // why it is left unresolved
   /// It is not halved where f is not defined on the whole of it, or not bounded.
   bool is_left_whole = false;
+  /// It ends where the interval does, and f is not known to be defined or bounded there.
+  bool is_at_singular_end = false;
+  /// It is the rest of the interval on the way to an end with many roots.
+  bool is_open_end = false;
   /// What its examination gives, where it was examined before its turn.
   std::shared_ptr<outcome> ahead = nullptr;
 };
@@ -100,7 +104,7 @@ struct root_search::state {
   std::vector<singular_place> singular;
   bool identically_zero = false;
   bool concluded = false;
-  /// The rest of the interval up to an infinite end was left, after many roots.
+  /// The rest of the interval up to an end was left, after many roots.
   bool has_open_end = false;
   std::string limit;  // the one that ended the last run
   isolation_account account;
