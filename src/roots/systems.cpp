@@ -12,6 +12,7 @@
 
 #include "boxes.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/expression/symbol.hpp"
 
 namespace polhode {
 namespace {
@@ -62,6 +63,47 @@ class evaluators {
   std::map<precision, std::shared_ptr<const list>> by_precision_;
 };
 
+/// Drops factors that are numbers: f and what is left of it have the same roots, with the same
+/// multiplicities. It looks at so many operations in all.
+class constant_factors {
+ public:
+  [[nodiscard]] symbol left_out_of(const symbol& f) {
+    const detail::symbol_node& n = f.node();
+    if (n.name == "*") {
+      for (const std::size_t k : {0, 1}) {
+        if (is_number_but_0(n.operands[k])) return left_out_of(n.operands[1 - k]);
+      }
+    }
+    if (n.name == "/" && is_number_but_0(n.operands[1])) return left_out_of(n.operands[0]);
+    return f;
+  }
+
+ private:
+  [[nodiscard]] bool is_number(const symbol& x) {
+    const detail::symbol_node& n = x.node();
+    if (--looks_ < 0 || n.variable != detail::symbol_node::no_variable) return false;
+    return std::ranges::all_of(n.operands, [this](const symbol& y) { return is_number(y); });
+  }
+  [[nodiscard]] bool is_number_but_0(const symbol& x) {
+    if (!is_number(x)) return false;
+    const ball value = expression(x, {}).value(128);
+    return value.is_bounded() && !contains_zero(value);
+  }
+
+  int looks_ = 1000;
+};
+
+expression without_constant_factors(const expression& f) {
+  std::vector<symbol> x;
+  for (std::size_t i = 0; i < f.variables().size(); ++i) x.push_back(symbol::variable(i));
+  try {
+    const symbol whole = f.evaluate(std::span<const symbol>(x));
+    return expression(constant_factors().left_out_of(whole), f.names());
+  } catch (const input_error&) {
+    return f;  // it has no value anywhere
+  }
+}
+
 precision precision_in(const std::vector<ball>& x) {
   precision p = least_precision;
   for (const ball& b : x) p = std::max(p, b.precision());
@@ -75,7 +117,9 @@ precision precision_in(const std::vector<jet<ball, 1>>& x) {
 
 }  // namespace
 
-real_system::real_system(const std::vector<expression>& components) : components_(components) {
+real_system::real_system(const std::vector<expression>& given) {
+  for (const expression& f : given) components_.push_back(without_constant_factors(f));
+  const std::vector<expression>& components = components_;
   for (const expression& f : components) {
     if (f.variables().size() != components.size()) {
       throw input_error(

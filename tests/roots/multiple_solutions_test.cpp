@@ -35,21 +35,25 @@ struct expected_roots {
 };
 
 TEST(MultipleSolutions, AreToldFromSimpleOnesAndFromNone) {
-  for (const expected_roots& e :
-       std::vector<expected_roots>{{{"x^2+y^2-2", "x+y-2"}, 0, 1},
-                                   {{"x^2+y^2-2", "(x-1)^2+(y-1)^2"}, 0, 1},
-                                   {{"x^2+y^2-1", "x*y-1/2"}, 0, 2},
-                                   {{"x^2+y^2-3", "x^2*y^2-9/4"}, 0, 4},
-                                   {{"x^3-2", "(x-y)^2"}, 0, 1},
-                                   {{"x^2-2", "(y-x)^2*(y+x)"}, 2, 2},
-                                   {{"y-x^3", "y"}, 0, 1},
-                                   {{"(x^2-2)^2+(y^2-3)^2", "(x^2-2)*(y^2-3)"}, 0, 4},
-                                   {{"x^2+y^2+z^2-3", "x+y+z-3", "x-y"}, 0, 1},
-                                   {{"x^2+y^2-2", "x+y-2-1e-40"}, 0, 0},
-                                   {{"x^2+y^2-2", "x+y-2+1e-40"}, 2, 0},
-                                   {{"x^2+y^2-1", "x*y-1/2+1e-50"}, 4, 0},
-                                   {{"x^2+y^2-1", "x*y-1/2-1e-50"}, 0, 0},
-                                   {{"x^3-2", "(x-y)^2+1e-80"}, 0, 0}}) {
+  for (const expected_roots& e : std::vector<expected_roots>{
+           {{"x^2+y^2-2", "x+y-2"}, 0, 1},
+           {{"x^2+y^2-2", "(x-1)^2+(y-1)^2"}, 0, 1},
+           {{"x^2+y^2-1", "x*y-1/2"}, 0, 2},
+           {{"x^2+y^2-3", "x^2*y^2-9/4"}, 0, 4},
+           {{"x^3-2", "(x-y)^2"}, 0, 1},
+           {{"x^2-2", "(y-x)^2*(y+x)"}, 2, 2},
+           {{"y-x^3", "y"}, 0, 1},
+           {{"(x^2-2)^2+(y^2-3)^2", "(x^2-2)*(y^2-3)"}, 0, 4},
+           {{"x^2+y^2+z^2-3", "x+y+z-3", "x-y"}, 0, 1},
+           {{"x^2+y^2-2", "x+y-2-1e-40"}, 0, 0},
+           {{"x^2+y^2-2", "x+y-2+1e-40"}, 2, 0},
+           {{"x^2+y^2-1", "x*y-1/2+1e-50"}, 4, 0},
+           {{"x^2+y^2-1", "x*y-1/2-1e-50"}, 0, 0},
+           {{"x^3-2", "(x-y)^2+1e-80"}, 0, 0},
+           // Factors that are numbers, Powell's singular function with them.
+           {{"pi*(x^2+y^2-2)", "sqrt(2)*(x+y-2)/e"}, 0, 1},
+           {{"(x^2-2)*sqrt(5)", "pi*((y-x)^2*(y+x))"}, 2, 2},
+           {{"x+10*y", "sqrt(5)*(x-z)", "sqrt(10)*(y-2*z)^2"}, 0, 1}}) {
     const system_root_set s = solved(e.texts);
     std::size_t simple = 0;
     std::size_t multiple = 0;
@@ -66,6 +70,15 @@ TEST(MultipleSolutions, AreToldFromSimpleOnesAndFromNone) {
     EXPECT_TRUE(s.is_resolved()) << e.texts[0] << ", " << e.texts[1];
     EXPECT_EQ(simple, e.simple) << e.texts[0] << ", " << e.texts[1];
     EXPECT_EQ(multiple, e.multiple) << e.texts[0] << ", " << e.texts[1];
+  }
+}
+
+TEST(MultipleSolutions, AFactorThatIsOrMayBeZeroIsKept) {
+  for (const char* zero : {"0", "(sin(1)^2+cos(1)^2-1)", "(sqrt(2)*sqrt(3)-sqrt(6))"}) {
+    const system_root_set s =
+        solve_system(real_system(system_of({std::string(zero) + "*(x-y)", "x+y"})),
+                     system_box(2, {rational(-1), rational(1)}), {.most_boxes = 300});
+    EXPECT_FALSE(s.is_resolved()) << zero;
   }
 }
 
