@@ -93,7 +93,11 @@ TEST(Integrate, WhatIsNotIntegrableIsSaidSoAndWhere) {
            {"1/(x^2-2)", "0", "3", "not integrable", "x = 1.4142"},
            {"tan(x)", "0", "2", "not integrable", "x = 1.5707"},
            {"1/x", "1", "inf", "not integrable", "infinity"},
-           {"sqrt(x)", "-1", "1", "not analytic", "sqrt"},
+           {"sqrt(x)", "-1", "1", "not defined", "sqrt(-12/13) is not defined: it needs x >= 0"},
+           {"sqrt(sin(x))", "0", "4", "not defined", "no value at x = 22/7: sqrt needs x >= 0"},
+           {"cos(x)^(2/3)", "0", "pi", "not defined", "root(x, n) is the real root of odd order"},
+           {"ellipticK(x)", "0", "2", "not defined", "needs m < 1"},
+           {"sqrt(1-x^2)", "-inf", "inf", "not defined", "no value at x = 21/16"},
            {"log_gamma(x)", "-0.9", "-0.1", "not analytic", "log_gamma of complex arguments"}}) {
     const outcome result = integrate(formula, from, to, {"--digits", "20"});
     EXPECT_EQ(result.status, 1) << formula;

@@ -356,7 +356,7 @@ TEST(Breaks, RefusesWhatIsNotIntegrable) {
   refused([](const auto& x) { return abs(1 / (x * x - 2)); }, 1, 2, reason::not_analytic);
   refused([=](const auto& x) { return 1 / kink(x); }, 1, 2, reason::not_integrable);
   refused([=](const auto& x) { return 1 / square(kink(x)); }, 1, 2, reason::not_integrable);
-  refused([](const auto& x) { return abs(log(x - 3)); }, 1, 4, reason::not_analytic);
+  refused([](const auto& x) { return abs(log(x - 3)); }, 1, 4, reason::not_defined);
   refused([](const auto& x) { return 1 / sqrt(abs(tan(x) - x)); }, -1, 1, reason::not_integrable);
 }
 

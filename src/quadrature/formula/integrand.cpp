@@ -14,6 +14,7 @@
 #include <fmt/ranges.h>
 
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/symbol.hpp"
 #include "polhode/quadrature/contour.hpp"
 #include "polhode/quadrature/integrate.hpp"
@@ -342,6 +343,68 @@ integral settled_zero(const expression& f, integral found) {
   return found;
 }
 
+/// Numbers in the range, apart from its ends and in simple places, as rational as can be.
+std::vector<rational> samples_between(const end_point& a, const end_point& b) {
+  constexpr precision p = 64;
+  constexpr long count = 16;
+  std::vector<rational> samples;
+  if (!a.is_infinite() && !b.is_infinite()) {
+    const rational low = lower_rational(a.at(p));
+    const rational width = upper_rational(b.at(p)) - low;
+    for (long k = 0; k < count; ++k) {
+      const rational middle = low + width * rational(2 * k + 1, 2 * count);
+      const rational margin = width / (8 * count);
+      const rational inner = middle + margin / 7;
+      samples.push_back(simplest_between(inner, middle + margin));
+    }
+    return samples;
+  }
+  constexpr long nearest = -4;
+  for (long k = nearest; k < nearest + count; ++k) {
+    const rational distance = rational(21, 16) * lower_rational(scale(ball(1, p), k));
+    if (!a.is_infinite()) samples.push_back(lower_rational(a.at(p)) + distance);
+    if (!b.is_infinite()) samples.push_back(upper_rational(b.at(p)) - distance);
+    if (a.is_infinite() && b.is_infinite()) samples.push_back(k % 2 == 0 ? distance : -distance);
+  }
+  return samples;
+}
+
+/// Why f has no value at q, in words; none where it has one.
+std::optional<std::string> why_undefined(const expression& f, const rational& q) {
+  constexpr precision p = 128;
+  try {
+    const expression value(f(symbol(q)), f.names());
+    if (!value.evaluator<ball>(p)(ball(q, p)).is_undefined()) return std::nullopt;
+    const auto function = value.undefined_function(p);
+    if (function) return fmt::format("{} needs {}", function->name, function->domain);
+    return "the base of a broken power must not be negative; root(x, n) is the real root of odd "
+           "order";
+  } catch (const input_error& error) {
+    const std::string_view what = error.what();
+    constexpr std::string_view prefix = "in the function, ";
+    return std::string(what.starts_with(prefix) ? what.substr(prefix.size()) : what);
+  }
+}
+
+/// An integral that is refused for a branch cut, where f has no values in a part of the range: that
+/// is said.
+integral with_place_of_no_value(const expression& f, const end_point& a, const end_point& b,
+                                integral found) {
+  if (found.why != reason::not_analytic || f.variables().size() != 1) return found;
+  std::optional<std::string> first;
+  for (const rational& q : samples_between(a, b)) {
+    const auto why = why_undefined(f, q);
+    if (!why) continue;
+    if (first) {  // at more than a point
+      found.why = reason::not_defined;
+      found.obstacle = *first;
+      return found;
+    }
+    first = fmt::format("no value at {} = {}: {}", f.variables().front(), to_text(q), *why);
+  }
+  return found;
+}
+
 }  // namespace
 
 prepared_integrand::prepared_integrand(expression f, detail::integrand functions)
@@ -412,7 +475,9 @@ integral integrate(const prepared_integrand& f, const end_point& a, const end_po
     refused.obstacle = "a number in the integrand is not defined, or is not proved to be";
     return refused;
   }
-  return settled_zero(f.formula(), detail::integrate_function(f.functions(), a, b, options));
+  return with_place_of_no_value(
+      f.formula(), a, b,
+      settled_zero(f.formula(), detail::integrate_function(f.functions(), a, b, options)));
 }
 
 contour_integral integrate_along(const expression& f, const path& along,
