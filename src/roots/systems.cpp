@@ -70,8 +70,9 @@ class constant_factors {
   [[nodiscard]] symbol left_out_of(const symbol& f) {
     const detail::symbol_node& n = f.node();
     if (n.name == "*") {
-      for (const std::size_t k : {0, 1}) {
-        if (is_number_but_0(n.operands[k])) return left_out_of(n.operands[1 - k]);
+      for (const bool first : {true, false}) {
+        if (is_number_but_0(n.operands[first ? 0 : 1]))
+          return left_out_of(n.operands[first ? 1 : 0]);
       }
     }
     if (n.name == "/" && is_number_but_0(n.operands[1])) return left_out_of(n.operands[0]);

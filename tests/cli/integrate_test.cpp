@@ -98,6 +98,11 @@ TEST(Integrate, WhatIsNotIntegrableIsSaidSoAndWhere) {
            {"cos(x)^(2/3)", "0", "pi", "not defined", "root(x, n) is the real root of odd order"},
            {"ellipticK(x)", "0", "2", "not defined", "needs m < 1"},
            {"sqrt(1-x^2)", "-inf", "inf", "not defined", "no value at x = 21/16"},
+           // With the limits the wrong way round, and the same number by two formulas.
+           {"sqrt(sin(x))", "4", "0", "not defined", "no value at x = 22/7: sqrt needs x >= 0"},
+           {"sqrt(1-x^2)", "inf", "-inf", "not defined", "no value at x = 21/16"},
+           {"sqrt(-x)", "0", "1e-100000", "not defined", "no value at x = 3.906"},
+           {"sqrt(x-3)", "sqrt(2)*sqrt(3)", "sqrt(6)", "not", ""},
            {"log_gamma(x)", "-0.9", "-0.1", "not analytic", "log_gamma of complex arguments"}}) {
     const outcome result = integrate(formula, from, to, {"--digits", "20"});
     EXPECT_EQ(result.status, 1) << formula;

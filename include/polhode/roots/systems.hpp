@@ -53,7 +53,7 @@ class real_system {
  public:
   /// Of formulas in the same variables, one for each component. Throws input_error where there are
   /// not as many of them as variables.
-  explicit real_system(const std::vector<expression>& components);
+  explicit real_system(const std::vector<expression>& given);
   /// Of a generic function of a std::vector, through the formulas of its components (formulas_of).
   template <class F>
   real_system(const F& f, std::size_t variables) : real_system(formulas_of(f, variables)) {}

@@ -343,14 +343,18 @@ integral settled_zero(const expression& f, integral found) {
   return found;
 }
 
-/// Numbers in the range, apart from its ends and in simple places, as rational as can be.
+/// Short rational numbers in the range, apart from its ends; the limits may be in either order.
 std::vector<rational> samples_between(const end_point& a, const end_point& b) {
   constexpr precision p = 64;
   constexpr long count = 16;
   std::vector<rational> samples;
+  if (a.infinite_sign() > 0 || b.infinite_sign() < 0) return samples_between(b, a);
   if (!a.is_infinite() && !b.is_infinite()) {
-    const rational low = lower_rational(a.at(p));
-    const rational width = upper_rational(b.at(p)) - low;
+    const rational one = lower_rational(a.at(p));
+    const rational other = lower_rational(b.at(p));
+    const rational low = std::min(one, other);
+    const rational width = std::max(one, other) - low;
+    if (width == 0) return samples;
     for (long k = 0; k < count; ++k) {
       const rational middle = low + width * rational(2 * k + 1, 2 * count);
       const rational margin = width / (8 * count);
@@ -400,7 +404,12 @@ integral with_place_of_no_value(const expression& f, const end_point& a, const e
       found.obstacle = *first;
       return found;
     }
-    first = fmt::format("no value at {} = {}: {}", f.variables().front(), to_text(q), *why);
+    constexpr std::size_t short_text = 20;
+    const bool is_short = mpz_sizeinbase(numerator(q).backend().data(), 10) +
+                              mpz_sizeinbase(denominator(q).backend().data(), 10) <
+                          short_text;
+    first = fmt::format("no value at {} = {}: {}", f.variables().front(),
+                        is_short ? to_text(q) : to_decimal(ball(q, 64), 6), *why);
   }
   return found;
 }
