@@ -500,8 +500,13 @@ TEST(IsolateRoots, EndAfterManyRootsTowardsInfinity) {
         s.regions, [](const root_region& r) { return r.verdict == root_verdict::unresolved; });
     EXPECT_EQ(unresolved, 1);
   }
+  const root_set slow = isolate_roots(parse("sin(log(x))"), 0, 1, few);
+  EXPECT_FALSE(slow.complete);
+  EXPECT_GE(slow.regions.size(), 41U);
   // Where it is proved that there are none from some point on, all are found.
   expect_resolved(isolate_roots(parse("sin(x)-x/1000"), -infinity, infinity, few), 635);
+  // Many elsewhere, and none of them more often towards the singular end.
+  expect_resolved(isolate_roots(parse("besselY(0,x)*sin(50*x)"), 0, 10, few), 162);
 }
 
 TEST(IsolateRoots, SumsOfExponentialsTowardsInfinity) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -116,6 +117,7 @@ class searcher {
     if (s_.found.size() + s_.singular.size() < most || (!b.x.lower && !b.x.upper)) return false;
     if (b.is_at_singular_end) {
       const bool rightward = b.x.lower != s_.settled[b.problem].whole().lower;
+      if (!roots_crowd_before(b, rightward)) return false;
       std::optional<bool>& known = ends_somewhere_.at(rightward ? 3 : 2);
       if (!known) known = is_rootless_beside_end(b, rightward);
       return !*known;
@@ -136,6 +138,27 @@ class searcher {
     if (static_cast<std::size_t>(roots + others) < most) return false;
     if (!known) known = has_rootless_end(end);
     return !*known;
+  }
+  /// Of the roots before the box, which ends at an end of the interval, there are many at distances
+  /// from that end between its width and twice as much, and no more between twice and four times:
+  /// they do not become fewer towards the end. Or the box is so small that they go on at all
+  /// scales.
+  [[nodiscard]] bool roots_crowd_before(const work_box& b, bool is_upper) const {
+    constexpr long many = 16;
+    const exact_box& whole = s_.settled[b.problem].whole();
+    if (!whole.is_bounded() || whole.width() < 4 * b.x.width()) return false;
+    constexpr unsigned scales = 200;
+    if (b.x.width() * rational(integer(1) << scales) < whole.width()) return true;
+    const auto end = static_cast<double>(is_upper ? *b.x.upper : *b.x.lower);
+    const auto width = static_cast<double>(b.x.width());
+    const auto between = [&](double near, double far) {
+      return std::ranges::count_if(s_.found, [&](const found_root& r) {
+        const double distance = std::abs(r.about.midpoint() - end);
+        return near * width <= distance && distance < far * width;
+      });
+    };
+    const auto nearest = between(1, 2);
+    return nearest >= many && nearest >= between(2, 4);
   }
   /// f is proved to have no root in a part of the unbounded box, up to infinity.
   bool has_rootless_end(const work_box& b) {
