@@ -343,7 +343,8 @@ integral settled_zero(const expression& f, integral found) {
   return found;
 }
 
-/// Short rational numbers in the range, apart from its ends; the limits may be in either order.
+/// Short rational numbers in the range, apart from its ends and from whole numbers, at which
+/// functions have their poles; the limits may be in either order.
 std::vector<rational> samples_between(const end_point& a, const end_point& b) {
   constexpr precision p = 64;
   constexpr long count = 16;
@@ -358,14 +359,16 @@ std::vector<rational> samples_between(const end_point& a, const end_point& b) {
     for (long k = 0; k < count; ++k) {
       const rational middle = low + width * rational(2 * k + 1, 2 * count);
       const rational margin = width / (8 * count);
-      const rational inner = middle + margin / 7;
-      samples.push_back(simplest_between(inner, middle + margin));
+      rational q = simplest_between(rational(middle + margin / 7), rational(middle + margin));
+      if (denominator(q) == 1)
+        q += q + rational(3, 7) < middle + margin ? rational(3, 7) : rational(-3, 7);
+      samples.push_back(std::move(q));
     }
     return samples;
   }
   constexpr long nearest = -4;
   for (long k = nearest; k < nearest + count; ++k) {
-    const rational distance = rational(21, 16) * lower_rational(scale(ball(1, p), k));
+    const rational distance = rational(1237, 941) * lower_rational(scale(ball(1, p), k));
     if (!a.is_infinite()) samples.push_back(lower_rational(a.at(p)) + distance);
     if (!b.is_infinite()) samples.push_back(upper_rational(b.at(p)) - distance);
     if (a.is_infinite() && b.is_infinite()) samples.push_back(k % 2 == 0 ? distance : -distance);
