@@ -9,8 +9,8 @@
 #include "polhode/roots/isolate.hpp"
 #include "polynomial/root_bracket.hpp"
 #include "search/taylor_bounds.hpp"
+#include "settled_pieces.hpp"
 #include "thread_count.hpp"
-#include "tiling.hpp"
 
 namespace polhode {
 

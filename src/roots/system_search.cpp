@@ -16,7 +16,7 @@
 #include "polhode/roots/systems.hpp"
 #include "polynomial/common_zeros.hpp"
 #include "polynomial/elimination.hpp"
-#include "tiling.hpp"
+#include "settled_pieces.hpp"
 
 namespace polhode {
 namespace {

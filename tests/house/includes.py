@@ -25,6 +25,7 @@ FLOORS = [
     # What any program needs: digests, threads, near names, quotes, clocks. The texts of the claims.
     ["base", "statements"],
     ["arithmetic"],
+    ["tiling"],  # the proofs that parts make up a whole
     ["elliptic"],
     ["expression"],  # formulas as text or made by a generic function, and their evaluation
     ["quadrature"],
@@ -37,7 +38,7 @@ FLOORS = [
 
 # Their headers beside their sources are meant for other rooms: none of these rooms is installed on
 # its own.
-OPEN = {"base", "statements", "proofs", "cost"}
+OPEN = {"base", "statements", "tiling", "proofs", "cost"}
 
 # What stands apart from the floors: the room, and the files and folders of others that it may
 # include.

@@ -269,7 +269,7 @@ TEST(TaylorRanges, WhatIsLeftOutIsBounded) {
   const detail::bounded_part& below = of_power->rests.front();
   EXPECT_EQ(below.within.lower, 0);
   ASSERT_TRUE(below.within.upper);
-  EXPECT_EQ(below.done.to, detail::place(*below.within.upper));
+  EXPECT_EQ(below.done.to, detail::piece_end(*below.within.upper));
   const ball t(*below.within.upper, many_bits);
   EXPECT_TRUE(contains(below.value, pow(t, 501) / 501));
   EXPECT_GT(share_of_radius(below.value, pow(t, 501) / 501), 0.45);
@@ -283,7 +283,7 @@ TEST(TaylorRanges, WhatIsLeftOutIsBounded) {
   ASSERT_EQ(of_exponential->rests.size(), 1U);
   const detail::bounded_part& above = of_exponential->rests.front();
   EXPECT_FALSE(above.within.upper);
-  const ball from(above.within.lower, many_bits);
+  const ball from(*above.within.lower, many_bits);
   EXPECT_TRUE(contains(above.value, exp(-from)));
   EXPECT_GT(share_of_radius(above.value, exp(-from)), 0.45);
 }

@@ -1,7 +1,7 @@
 // That what was integrated makes up the range, each part of it once: rules that lie about their
 // pieces are refused.
 
-#include "quadrature/base/tiling.hpp"
+#include "tiling/tiling.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,13 +15,13 @@ namespace tiling_test {
 end_point root_of_2() {
   return end_point([](precision p) { return sqrt(ball(2, p)); });
 }
-const place lower = place::lower_end();
-const place upper = place::upper_end();
+const piece_end lower = piece_end::lower_end();
+const piece_end upper = piece_end::upper_end();
 
 /// A rule for the integral of 1: it was given an interval, and says what it has done.
 struct report {
   piece_done done;
-  closed_interval within;
+  exact_interval within;
   rational length;
 };
 
@@ -33,10 +33,11 @@ std::optional<ball> sum_of(const end_point& from, const end_point& to,
 }
 
 TEST(Tiling, AddsUpPiecesInAnyOrder) {
-  const auto sum = sum_of(0, 3,
-                          {{{place(2), place(3)}, {2, rational(3)}, 1},
-                           {{place(0), place(rational(1, 3))}, {0, rational(1, 3)}, rational(1, 3)},
-                           {{place(rational(1, 3)), place(2)}, {0, rational(2)}, rational(5, 3)}});
+  const auto sum =
+      sum_of(0, 3,
+             {{{piece_end(2), piece_end(3)}, {2, rational(3)}, 1},
+              {{piece_end(0), piece_end(rational(1, 3))}, {0, rational(1, 3)}, rational(1, 3)},
+              {{piece_end(rational(1, 3)), piece_end(2)}, {0, rational(2)}, rational(5, 3)}});
   ASSERT_TRUE(sum);
   EXPECT_TRUE(contains(*sum, rational(3)));
 }
@@ -47,27 +48,28 @@ TEST(Tiling, TakesAnExactEndByItsNameToo) {
 }
 
 TEST(Tiling, RefusesAGap) {
-  EXPECT_FALSE(sum_of(
-      0, 3,
-      {{{place(0), place(1)}, {0, rational(1)}, 1}, {{place(2), place(3)}, {2, rational(3)}, 1}}));
-  EXPECT_FALSE(sum_of(0, 3, {{{place(1), place(3)}, {1, rational(3)}, 2}}));
-  EXPECT_FALSE(sum_of(0, 3, {{{place(0), place(2)}, {0, rational(2)}, 2}}));
+  EXPECT_FALSE(sum_of(0, 3,
+                      {{{piece_end(0), piece_end(1)}, {0, rational(1)}, 1},
+                       {{piece_end(2), piece_end(3)}, {2, rational(3)}, 1}}));
+  EXPECT_FALSE(sum_of(0, 3, {{{piece_end(1), piece_end(3)}, {1, rational(3)}, 2}}));
+  EXPECT_FALSE(sum_of(0, 3, {{{piece_end(0), piece_end(2)}, {0, rational(2)}, 2}}));
   EXPECT_FALSE(sum_of(0, 3, {}));
 }
 
 TEST(Tiling, RefusesWhatIsDoneTwice) {
-  const report left{{place(0), place(1)}, {0, rational(1)}, 1};
-  const report right{{place(1), place(2)}, {1, rational(2)}, 1};
+  const report left{{piece_end(0), piece_end(1)}, {0, rational(1)}, 1};
+  const report right{{piece_end(1), piece_end(2)}, {1, rational(2)}, 1};
   EXPECT_TRUE(sum_of(0, 2, {left, right}));
   EXPECT_FALSE(sum_of(0, 2, {left, right, right}));
-  EXPECT_FALSE(sum_of(0, 2, {left, right, {{place(0), place(2)}, {0, rational(2)}, 2}}));
+  EXPECT_FALSE(sum_of(0, 2, {left, right, {{piece_end(0), piece_end(2)}, {0, rational(2)}, 2}}));
   EXPECT_FALSE(sum_of(
-      0, 2, {{{place(0), place(rational(3, 2))}, {0, rational(3, 2)}, rational(3, 2)}, right}));
+      0, 2,
+      {{{piece_end(0), piece_end(rational(3, 2))}, {0, rational(3, 2)}, rational(3, 2)}, right}));
 }
 
 TEST(Tiling, RefusesMoreThanTheRuleWasGiven) {
-  EXPECT_FALSE(sum_of(0, 1, {{{place(0), place(1)}, {0, rational(1, 2)}, 1}}));
-  EXPECT_FALSE(sum_of(0, 1, {{{place(0), place(1)}, {rational(1, 9), rational(1)}, 1}}));
+  EXPECT_FALSE(sum_of(0, 1, {{{piece_end(0), piece_end(1)}, {0, rational(1, 2)}, 1}}));
+  EXPECT_FALSE(sum_of(0, 1, {{{piece_end(0), piece_end(1)}, {rational(1, 9), rational(1)}, 1}}));
 }
 
 // The fault that this is for: a rule says that it has stopped at an irrational end that is not in
@@ -75,15 +77,15 @@ TEST(Tiling, RefusesMoreThanTheRuleWasGiven) {
 TEST(Tiling, RefusesAnEndThatIsNotInTheInterval) {
   const rational near = parse_rational("1.41421356237309504880168872420969807856");
   const rational beyond = parse_rational("1.41421356237309504880168872420969807857");
-  EXPECT_TRUE(sum_of(1, root_of_2(), {{{place(1), upper}, {1, beyond}, 1}}));
-  EXPECT_FALSE(sum_of(1, root_of_2(), {{{place(1), upper}, {1, near}, 1}}));
-  EXPECT_TRUE(sum_of(root_of_2(), 2, {{{lower, place(2)}, {near, rational(2)}, 1}}));
-  EXPECT_FALSE(sum_of(root_of_2(), 2, {{{lower, place(2)}, {beyond, rational(2)}, 1}}));
+  EXPECT_TRUE(sum_of(1, root_of_2(), {{{piece_end(1), upper}, {1, beyond}, 1}}));
+  EXPECT_FALSE(sum_of(1, root_of_2(), {{{piece_end(1), upper}, {1, near}, 1}}));
+  EXPECT_TRUE(sum_of(root_of_2(), 2, {{{lower, piece_end(2)}, {near, rational(2)}, 1}}));
+  EXPECT_FALSE(sum_of(root_of_2(), 2, {{{lower, piece_end(2)}, {beyond, rational(2)}, 1}}));
   // With panels before it that it says were negligible.
-  EXPECT_FALSE(sum_of(
-      root_of_2(), 2,
-      {{{lower, place(1)}, {0, rational(1)}, 0}, {{place(1), place(2)}, {1, rational(2)}, 1}}));
-  EXPECT_FALSE(sum_of(root_of_2(), 2, {{{place(1), place(2)}, {1, rational(2)}, 1}}));
+  EXPECT_FALSE(sum_of(root_of_2(), 2,
+                      {{{lower, piece_end(1)}, {0, rational(1)}, 0},
+                       {{piece_end(1), piece_end(2)}, {1, rational(2)}, 1}}));
+  EXPECT_FALSE(sum_of(root_of_2(), 2, {{{piece_end(1), piece_end(2)}, {1, rational(2)}, 1}}));
 }
 
 TEST(Tiling, IsNotDecidedWhereAnEndCannotBeTold) {
@@ -91,17 +93,17 @@ TEST(Tiling, IsNotDecidedWhereAnEndCannotBeTold) {
   const end_point one(
       [](precision p) { return square(sin(ball(1, p))) + square(cos(ball(1, p))); });
   EXPECT_EQ(side_of(one, 1), std::nullopt);
-  EXPECT_FALSE(sum_of(0, one, {{{place(0), upper}, {0, rational(1)}, 1}}));
-  EXPECT_TRUE(sum_of(0, one, {{{place(0), upper}, {0, rational(2)}, 1}}));
+  EXPECT_FALSE(sum_of(0, one, {{{piece_end(0), upper}, {0, rational(1)}, 1}}));
+  EXPECT_TRUE(sum_of(0, one, {{{piece_end(0), upper}, {0, rational(2)}, 1}}));
 }
 
 TEST(Tiling, ReachesInfinityByAPieceWithoutAnUpperBound) {
-  const report tail{{place(5), upper}, {5, std::nullopt}, 0};
-  EXPECT_TRUE(
-      sum_of(0, end_point::infinity(), {{{place(0), place(5)}, {0, rational(5)}, 5}, tail}));
+  const report tail{{piece_end(5), upper}, {5, std::nullopt}, 0};
+  EXPECT_TRUE(sum_of(0, end_point::infinity(),
+                     {{{piece_end(0), piece_end(5)}, {0, rational(5)}, 5}, tail}));
   EXPECT_FALSE(sum_of(0, end_point::infinity(),
-                      {{{place(0), place(5)}, {0, rational(5)}, 5},
-                       {{place(5), upper}, {5, parse_rational("1e100")}, 0}}));
+                      {{{piece_end(0), piece_end(5)}, {0, rational(5)}, 5},
+                       {{piece_end(5), upper}, {5, parse_rational("1e100")}, 0}}));
 }
 
 // Pieces between points of which some are known by their enclosures only.

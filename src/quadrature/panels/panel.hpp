@@ -4,9 +4,9 @@
 
 #include <optional>
 
+#include "tiling/tiling.hpp"
 #include "polhode/arithmetic/complex_ball.hpp"
 #include "polhode/quadrature/rule.hpp"
-#include "quadrature/base/tiling.hpp"
 #include "quadrature/formula/integrand.hpp"
 #include "quadrature/rules/periodic.hpp"
 
@@ -43,13 +43,13 @@ struct panel {
     return {integer(1), one << static_cast<unsigned>(level + 1)};
   }
   /// The values of t on it.
-  [[nodiscard]] closed_interval interval() const {
+  [[nodiscard]] exact_interval interval() const {
     const rational half = half_length();
     return {centre - half, rational(centre + half)};
   }
   [[nodiscard]] piece_done piece() const {
-    const closed_interval all = interval();
-    return {place(all.lower), place(*all.upper)};
+    const exact_interval all = interval();
+    return {piece_end(*all.lower), piece_end(*all.upper)};
   }
   /// It reaches to t = 0 or to t = 1.
   [[nodiscard]] bool is_at_end() const {

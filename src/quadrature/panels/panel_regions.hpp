@@ -39,8 +39,8 @@ class panel_regions {
     if (p.level < 900) {
       hardware_centre_ = double_interval(p.centre);
       hardware_half_ = double_interval(std::ldexp(1.0, static_cast<int>(-p.level - 1)));
-      const closed_interval t = p.interval();
-      hardware_whole_ = hull(double_interval(t.lower), double_interval(*t.upper));
+      const exact_interval t = p.interval();
+      hardware_whole_ = hull(double_interval(*t.lower), double_interval(*t.upper));
     }
     if (!in_hardware_) {
       bits_ = 80 + std::max(gap, 0L) + p.level;

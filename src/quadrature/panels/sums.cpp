@@ -52,7 +52,7 @@ std::shared_ptr<const symmetric_nodes> summer::nodes_of(const panel& p, precisio
 /// The rule on one panel, with at least `working` bits, which become those that were used.
 panel_sum summer::sum_of_panel(const panel& p, precision& working) {
   if (p.strip) {  // which is for a whole segment
-    return {complex_ball(trapezoid_part(p, working)), {place(0), place(1)}};
+    return {complex_ball(trapezoid_part(p, working)), {piece_end(0), piece_end(1)}};
   }
   const auto rule = nodes_of(p, working);
   working = rule->bits;

@@ -16,9 +16,9 @@
 #include <optional>
 #include <vector>
 
+#include "tiling/tiling.hpp"
 #include "polhode/arithmetic/end_point.hpp"
 #include "polhode/arithmetic/polynomial.hpp"
-#include "quadrature/base/tiling.hpp"
 #include "quadrature/formula/formula_graph.hpp"
 
 namespace polhode::detail {

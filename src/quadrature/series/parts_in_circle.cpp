@@ -56,7 +56,8 @@ class in_circle {
     for (long k = low; k <= high; ++k) {
       const bool from_a = k == low && !first->second;
       const bool to_b = k == high && !last->second;
-      tiling.add({from_a ? place::lower_end() : place(k), to_b ? place::upper_end() : place(k + 1)},
+      tiling.add({from_a ? piece_end::lower_end() : piece_end(k),
+                  to_b ? piece_end::upper_end() : piece_end(k + 1)},
                  {rational(k), rational(k + 1)});
       const auto end = [&](const end_point& x) {
         return end_point([x, k, shift, by_quarters, w = *own](precision p) {

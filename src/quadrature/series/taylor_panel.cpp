@@ -8,18 +8,18 @@ std::optional<std::vector<taylor_panel>> cut_to(const smooth_range& range,
                                                 const std::vector<taylor_panel>& panels) {
   std::vector<taylor_panel> result;
   for (taylor_panel p : panels) {
-    const closed_interval all = p.interval();
+    const exact_interval all = p.interval();
     // Panels before the lower end are left out, and those after the upper end.
     if (!range.lower.exact() && result.empty()) {
       const std::optional<int> at_upper = side_of(range.lower, *all.upper);
       if (!at_upper) return std::nullopt;
       if (*at_upper > 0) continue;
-      const std::optional<int> at_lower = side_of(range.lower, all.lower);
+      const std::optional<int> at_lower = side_of(range.lower, *all.lower);
       if (!at_lower) return std::nullopt;
       p.from_lower = *at_lower > 0;
     }
     if (!range.upper.exact()) {
-      const std::optional<int> at_lower = side_of(range.upper, all.lower);
+      const std::optional<int> at_lower = side_of(range.upper, *all.lower);
       if (!at_lower) return std::nullopt;
       if (*at_lower < 0) break;
       const std::optional<int> at_upper = side_of(range.upper, *all.upper);

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "tiling/tiling.hpp"
 #include "polhode/arithmetic/polynomial.hpp"
-#include "quadrature/base/tiling.hpp"
 
 namespace polhode::detail {
 
@@ -33,13 +33,13 @@ struct smooth_range {
   /// Where it lies in the range of y that it was cut from, of which it keeps the ends that are not
   /// exact.
   [[nodiscard]] piece_done piece() const {
-    const place from = lower.exact() ? place(*lower.exact()) : place::lower_end();
-    const place to = upper.exact() ? place(*upper.exact()) : place::upper_end();
+    const piece_end from = lower.exact() ? piece_end(*lower.exact()) : piece_end::lower_end();
+    const piece_end to = upper.exact() ? piece_end(*upper.exact()) : piece_end::upper_end();
     if (!is_inverted) return {from, to};
-    const auto inverse = [](const end_point& end, const place& otherwise) {
-      return end.exact() && *end.exact() != 0 ? place(rational(1 / *end.exact())) : otherwise;
+    const auto inverse = [](const end_point& end, const piece_end& otherwise) {
+      return end.exact() && *end.exact() != 0 ? piece_end(rational(1 / *end.exact())) : otherwise;
     };
-    return {inverse(upper, place::lower_end()), inverse(lower, place::upper_end())};
+    return {inverse(upper, piece_end::lower_end()), inverse(lower, piece_end::upper_end())};
   }
 };
 
@@ -52,16 +52,16 @@ struct taylor_panel {
   bool to_upper = false;
 
   /// The values of y on the whole of it.
-  [[nodiscard]] closed_interval interval() const {
+  [[nodiscard]] exact_interval interval() const {
     const rational other = at_end ? centre : rational(centre - radius);
     const rational end = centre + radius;
     return {std::min(other, end), std::max(other, end)};
   }
   /// What is to be integrated over.
   [[nodiscard]] piece_done piece() const {
-    const closed_interval all = interval();
-    return {from_lower ? place::lower_end() : place(all.lower),
-            to_upper ? place::upper_end() : place(*all.upper)};
+    const exact_interval all = interval();
+    return {from_lower ? piece_end::lower_end() : piece_end(*all.lower),
+            to_upper ? piece_end::upper_end() : piece_end(*all.upper)};
   }
   [[nodiscard]] bool is_cut() const { return from_lower || to_upper; }
 };

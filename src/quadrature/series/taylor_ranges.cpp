@@ -278,14 +278,14 @@ class cut_search {
 void leave_out_above(finite_ranges& result, smooth_range& range, const rational& t,
                      const ball& bound) {
   result.rests.push_back({ball(0, 64).enlarged(bound.magnitude_upper()),
-                          {place(t), place::upper_end()},
+                          {piece_end(t), piece_end::upper_end()},
                           {t, range.upper.exact()}});
   range.upper = t;
 }
 void leave_out_below(finite_ranges& result, smooth_range& range, const rational& t,
                      const ball& bound) {
   result.rests.push_back({ball(0, 64).enlarged(bound.magnitude_upper()),
-                          {place::lower_end(), place(t)},
+                          {piece_end::lower_end(), piece_end(t)},
                           {*range.lower.exact(), t}});
   range.lower = t;
 }

@@ -15,7 +15,7 @@ namespace polhode::detail {
 struct bounded_part {
   ball value;
   piece_done done;
-  closed_interval within;
+  exact_interval within;
 };
 /// The finite ranges that a range is made up of, and what is left out.
 struct finite_ranges {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "polhode/arithmetic/polynomial.hpp"
-#include "roots/tiling.hpp"
+#include "roots/settled_pieces.hpp"
 
 namespace polhode::detail {
 

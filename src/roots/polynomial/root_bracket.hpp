@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "polhode/arithmetic/exact.hpp"
-#include "roots/tiling.hpp"
+#include "roots/settled_pieces.hpp"
 
 namespace polhode::detail {
 

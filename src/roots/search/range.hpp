@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "polhode/roots/isolate.hpp"
-#include "roots/tiling.hpp"
+#include "roots/settled_pieces.hpp"
 
 namespace polhode::detail {
 

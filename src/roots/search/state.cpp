@@ -5,22 +5,22 @@
 namespace polhode::detail {
 
 void expect_whole(const exact_box& box, const outcome& o) {
-  interval_tiling pieces(box);
-  for (const work_box& b : o.rest) pieces.add(b.x);
-  for (const work_box& b : o.stuck) pieces.add(b.x);
+  std::vector<const exact_box*> pieces;
+  for (const work_box& b : o.rest) pieces.push_back(&b.x);
+  for (const work_box& b : o.stuck) pieces.push_back(&b.x);
   for (const auto& e : o.excluded) {
-    pieces.add(e.x);
+    pieces.push_back(&e.x);
     expect(holds(e.over, e.x), "a piece without a root is not in the set that has none");
   }
   if (o.known) {
-    pieces.add(box);
+    pieces.push_back(&box);
     expect(holds(o.known->done, box), "a box is not in the part where the roots are known");
     expect(holds(o.known->over, o.known->done), "a part is not in the set that the proof is about");
     if (const auto& r = o.known->region) {
       expect(contains(r->box, r->enclosure), "an enclosure is not in the box of its region");
     }
   }
-  pieces.expect_complete();
+  expect_tiling(box, pieces);
 }
 
 void expect_whole(const root_search::state& s) {

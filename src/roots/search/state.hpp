@@ -12,7 +12,7 @@
 
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/roots/isolate.hpp"
-#include "roots/tiling.hpp"
+#include "roots/settled_pieces.hpp"
 
 namespace polhode {
 namespace detail {

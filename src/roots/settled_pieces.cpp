@@ -1,6 +1,5 @@
-#include "tiling.hpp"
+#include "settled_pieces.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -8,78 +7,14 @@
 
 namespace polhode::detail {
 
-ball exact_interval::to_ball(precision p) const {
-  mpfr_float low = zero_of_precision(p);
-  mpfr_float high = zero_of_precision(p);
-  if (lower) {
-    mpfr_set_q(low.backend().data(), lower->backend().data(), MPFR_RNDD);
-  } else {
-    mpfr_set_inf(low.backend().data(), -1);
-  }
-  if (upper) {
-    mpfr_set_q(high.backend().data(), upper->backend().data(), MPFR_RNDU);
-  } else {
-    mpfr_set_inf(high.backend().data(), 1);
-  }
-  return ball::from_end_points(low.backend().data(), high.backend().data(), p);
-}
-
-bool precedes(const exact_interval& x, const exact_interval& y) {
-  if (!x.lower || !y.lower) return !x.lower && y.lower;
-  return *x.lower < *y.lower;
-}
-
-namespace {
-
-/// x ends before y, as upper ends.
-bool ends_before(const exact_interval& x, const exact_interval& y) {
-  if (!x.upper || !y.upper) return x.upper && !y.upper;
-  return *x.upper < *y.upper;
-}
-
-/// In the order of the lower ends, a point before what begins at it.
-bool comes_before(const exact_interval& x, const exact_interval& y) {
-  if (precedes(x, y)) return true;
-  return !precedes(y, x) && ends_before(x, y);
-}
-
-}  // namespace
-
-bool holds(const exact_interval& x, const exact_interval& y) {
-  return !precedes(y, x) && !ends_before(x, y);
-}
-
-bool holds(const ball& x, const exact_interval& y) {
-  if (x.is_undefined()) return false;
-  const auto is_infinite = [](const mpfr_float& end) {
-    return mpfr_inf_p(end.backend().data()) != 0;
-  };
-  return (y.lower ? contains(x, *y.lower) : is_infinite(lower(x))) &&
-         (y.upper ? contains(x, *y.upper) : is_infinite(upper(x)));
-}
-
 void expect(bool claim, const char* what) {
   if (!claim) {
     throw std::logic_error(std::string("internal error in a search for roots, no result: ") + what);
   }
 }
 
-void interval_tiling::expect_complete() {
-  const auto before = [](const exact_interval* x, const exact_interval* y) {
-    return comes_before(*x, *y);
-  };
-  if (pieces_.size() > 1) std::sort(pieces_.begin(), pieces_.end(), before);
-  expect(!pieces_.empty() && pieces_.front()->lower == whole_->lower,
-         "the pieces do not begin where the interval does");
-  for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    const exact_interval& x = *pieces_[i];
-    expect(!x.is_bounded() || *x.lower <= *x.upper, "a piece ends before it begins");
-    if (i == 0) continue;
-    const exact_interval& last = *pieces_[i - 1];
-    expect(last.upper && x.lower && *last.upper == *x.lower, "the pieces do not join");
-    expect(!x.is_point() || !last.is_point(), "a point is examined twice");
-  }
-  expect(pieces_.back()->upper == whole_->upper, "the pieces do not end where the interval does");
+void expect_tiling(const exact_interval& whole, const std::vector<const exact_interval*>& pieces) {
+  expect(is_tiling(whole, pieces), "the pieces do not make up the interval, each point once");
 }
 
 void settled_pieces::add_without_root(const exact_interval& x) {
@@ -99,13 +34,12 @@ void settled_pieces::add_known(const exact_interval& x, std::size_t region) {
 
 void settled_pieces::expect_whole(const std::vector<const exact_interval*>& open,
                                   std::size_t regions) const {
-  interval_tiling all(whole_);
+  std::vector<const exact_interval*> all = open;
   for (const piece& p : pieces_) {
-    all.add(p.x);
+    all.push_back(&p.x);
     expect(!p.region || *p.region < regions, "a root that is known is not in the list");
   }
-  for (const exact_interval* x : open) all.add(*x);
-  all.expect_complete();
+  expect_tiling(whole_, all);
 }
 
 rational share_of(int halvings) {
