@@ -53,6 +53,7 @@ TEST(Tiling, LiesAreRefused) {
   EXPECT_FALSE(is_whole(whole, {{0, 3 + tiny}}));
   EXPECT_FALSE(is_whole(whole, {{0, 3}, {3, 4}}));
   EXPECT_FALSE(is_whole(whole, {{0, 2}, {2, 1}, {1, 3}}));  // backwards
+  EXPECT_FALSE(is_whole(whole, {{0, 4}, {4, 3}}));          // beyond it and back
   EXPECT_FALSE(is_whole(whole, {up_to(3)}));
   EXPECT_FALSE(is_whole(from(0), {{0, 3}}));
   EXPECT_FALSE(is_whole(from(0), {from(0), from(1)}));

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "tiling/tiling.hpp"
 #include "parametric_integrand.hpp"
+#include "tiling/tiling.hpp"
 
 namespace polhode {
 
@@ -177,12 +177,14 @@ bounds box_integrator::enclose(const parameter_box& box) {
 bool are_all_of(const parameter_box& box, const std::vector<bounds>& parts) {
   const auto sides_of = [](const parameter_box& x) {
     exact_sides sides;
+    sides.reserve(x.size());
     for (const parameter_range& side : x) sides.push_back({side.lower(), side.upper()});
     return sides;
   };
   std::vector<exact_sides> sides;
   std::vector<const exact_sides*> pointers;
   sides.reserve(parts.size());
+  pointers.reserve(parts.size());
   for (const bounds& p : parts) pointers.push_back(&sides.emplace_back(sides_of(p.over)));
   return is_tiling(sides_of(box), pointers);
 }
