@@ -509,6 +509,55 @@ TEST(IsolateRoots, EndAfterManyRootsTowardsInfinity) {
   expect_resolved(isolate_roots(parse("besselY(0,x)*sin(50*x)"), 0, 10, few), 162);
 }
 
+TEST(IsolateRoots, TowardsASingularPointInside) {
+  // The roots on both sides are found, and what is left open is a small interval around the point.
+  const auto open_parts = [](const root_set& s) {
+    std::vector<ball> parts;
+    for (const root_region& r : s.regions) {
+      if (r.verdict == root_verdict::unresolved) parts.push_back(r.box);
+    }
+    return parts;
+  };
+  for (const auto& [f, at] :
+       std::vector<std::pair<const char*, const char*>>{{"sin(1/x)", "0"},
+                                                        {"tan(1/x)", "0"},
+                                                        {"sin(1/x)-x", "0"},
+                                                        {"sin(1/(x-1/3))", "1/3"},
+                                                        {"cos(1/(x^2-2))", "sqrt(2)"},
+                                                        {"sin(1/(x-e/2))", "e/2"}}) {
+    SCOPED_TRACE(f);
+    const ball point = parse(at).value(64);
+    const root_set s = isolate_roots(parse(f), -1, 2);
+    EXPECT_FALSE(s.complete);
+    const auto parts = open_parts(s);
+    ASSERT_EQ(parts.size(), 1U);
+    EXPECT_TRUE(contains(parts.front(), point));
+    EXPECT_TRUE(certainly_less(parts.front() - point, ball(rational(1, 50), 64)));
+    const auto on_side = [&, point = point](bool is_left) {
+      return std::ranges::count_if(s.regions, [&](const root_region& r) {
+        return r.verdict == root_verdict::unique && certainly_less(r.enclosure, point) == is_left;
+      });
+    };
+    EXPECT_GT(on_side(true), 10);
+    EXPECT_GT(on_side(false), 10);
+    isolate_options threads;
+    threads.threads = 2;
+    EXPECT_EQ(isolate_roots(parse(f), -1, 2, threads).regions.size(), s.regions.size());
+  }
+  // Two of them, each with its own roots.
+  EXPECT_EQ(open_parts(isolate_roots(parse("sin(1/x)+sin(1/(x-1))"), -2, 2)).size(), 2U);
+  // Many roots beside such a point, and none of them more often towards it.
+  const auto count = [](const char* f, std::size_t roots) {
+    SCOPED_TRACE(f);
+    expect_resolved(isolate_roots(parse(f), -1, 1), roots);
+  };
+  count("sin(500*x)/(x-1/3)", 319);
+  count("sin(300*x)*log(abs(x-1/3))", 192);
+  count("sin(500*x)/sqrt(abs(x))", 318);
+  // A factor that is too small beside the point to be told from 0.
+  count("exp(-1/x^2)*(x-1/10^20)", 1);
+}
+
 TEST(IsolateRoots, SumsOfExponentialsTowardsInfinity) {
   const end_point infinity = end_point::infinity();
   const auto count = [&](const char* text, std::size_t roots) {

@@ -140,7 +140,7 @@ struct isolate_options {
   /// Boxes that may be left unresolved: more of them are a function that is 0 on an interval that
   /// is not recognised, or the like.
   long most_unresolved = 2'000;
-  /// Towards an end that is infinite, or at which f is not defined, so many roots and singular
+  /// Towards an infinite end, or a point at which f is not defined, so many roots and singular
   /// places are found before the rest is left unresolved, unless f is proved to have no root from
   /// some point on: mostly there are infinitely many.
   long most_towards_end = 100;

@@ -117,7 +117,7 @@ class examination {
         return;
       case hardware_answer::wide:
         // The parts cost next to nothing.
-        if (b.halvings > 0 && (b.halvings < cheap_halvings || !is_turn_for_structure(b.halvings))) {
+        if (b.halvings > 0 && (b.halvings < cheap_halvings || !is_turn_for_structure(b))) {
           return halve(std::move(b));
         }
         break;
@@ -147,7 +147,7 @@ class examination {
     constexpr int least_gain = 8;
     const bool noisy = at_middle[0].radius() > scale(f.value.radius(), -least_gain);
     if (noisy) b.bits = std::max(b.bits, std::min(2 * b.bits, most_bits(b)));
-    if (is_turn_for_structure(b.halvings) && by_structure(b)) return;
+    if (is_turn_for_structure(b) && by_structure(b)) return;
     if (b.is_left_whole && !over[0].is_bounded()) return leave(std::move(b));
     halve(b);
   }
@@ -234,7 +234,10 @@ class examination {
     return std::min<precision>(options_.most_precision, 512 + 32L * b.halvings);
   }
 
-  static bool is_turn_for_structure(int halvings) {
+  /// At some depths, and near singular points, where a factor may be too small to be told from 0.
+  static bool is_turn_for_structure(const work_box& b) {
+    const int halvings = b.halvings;
+    if (b.is_beside_singular && halvings > cheap_halvings) return true;
     constexpr std::array turns = {0, 8, 12, 16, 24, 32, 48, 64, 96, 128, 160, 192};
     constexpr int later = 16;
     return std::find(turns.begin(), turns.end(), halvings) != turns.end() ||
@@ -306,7 +309,8 @@ class examination {
            (*x.upper < 0 && *x.lower < far_apart * *x.upper);
   }
 
-  /// From left to right; towards the lower end of the interval, where f is singular there.
+  /// From left to right; a part in which f is singular comes after one where it is not, and
+  /// after one that does not reach to the singular point.
   void halve(work_box b, bool is_singular = false) {
     constexpr int times_around_zero = 12;
     const auto zero = b.halvings >= halvings_beside_zero ? kink_in(b) : std::nullopt;
@@ -320,12 +324,43 @@ class examination {
     // A part beside an exact zero is at a scale of its own.
     if (zero && *zero < *right.x.lower) right.halvings = halvings_beside_zero;
     if (zero && *zero > *b.x.upper) b.halvings = halvings_beside_zero;
-    const exact_box& whole = s_.settled[b.problem].whole();
-    b.is_at_singular_end = is_singular && b.x.lower == whole.lower;
-    right.is_at_singular_end = is_singular && right.x.upper == whole.upper;
-    if (b.is_at_singular_end) std::swap(b, right);
+    mark_singular_points(b, right, is_singular);
+    b.is_beside_singular = right.singular != singular_point::none;
+    right.is_beside_singular = b.singular != singular_point::none;
+    const bool is_right_first =
+        b.singular == singular_point::at_lower_end
+            ? right.singular != singular_point::at_upper_end
+            : b.singular != singular_point::none && right.singular == singular_point::none;
+    if (is_right_first) std::swap(b, right);
     result_.rest.push_back(std::move(right));
     result_.rest.push_back(std::move(b));
+  }
+
+  /// Of the two parts of a box.
+  void mark_singular_points(work_box& left, work_box& right, bool is_singular) {
+    const auto is_defined_over = [&](const work_box& b, const ball& x) {
+      const series_type over = series(b, x, 1);
+      return !over[0].is_undefined() && !over[1].is_undefined();
+    };
+    const auto is_singular_over = [&](const work_box& b) {
+      return is_singular && !is_defined_over(b, b.x.to_ball(b.bits));
+    };
+    const exact_box& whole = s_.settled[left.problem].whole();
+    const bool is_at_lower =
+        left.singular == singular_point::at_lower_end || left.x.lower == whole.lower;
+    const bool is_at_upper =
+        left.singular == singular_point::at_upper_end || right.x.upper == whole.upper;
+    const bool left_is_singular = is_singular_over(left);
+    const bool right_is_singular = is_singular_over(right);
+    const bool is_at_cut = left_is_singular && right_is_singular &&
+                           !is_defined_over(left, ball(*left.x.upper, left.bits));
+    const auto kind = [](bool is_part_singular, bool at_lower, bool at_upper) {
+      if (!is_part_singular) return singular_point::none;
+      if (at_lower) return singular_point::at_lower_end;
+      return at_upper ? singular_point::at_upper_end : singular_point::inside;
+    };
+    left.singular = kind(left_is_singular, is_at_lower, is_at_cut);
+    right.singular = kind(right_is_singular, is_at_cut, is_at_upper);
   }
 
   // -------------------------------------------------------------------------------------------
@@ -425,13 +460,13 @@ class examination {
         return true;
       }
     }
-    if (over[1].is_undefined() && is_turn_for_structure(b.halvings) && by_jumps(b, wide, x)) {
+    if (over[1].is_undefined() && is_turn_for_structure(b) && by_jumps(b, wide, x)) {
       return true;
     }
     const auto zero = exact_zero_in(b);
     if (zero) return by_exact_point(b, wide, x, *zero) || by_growth(b, wide, x, *zero);
     // Beside a pole narrower boxes tell more, and cost less.
-    const bool is_worth_it = poles.empty() || is_turn_for_structure(b.halvings);
+    const bool is_worth_it = poles.empty() || is_turn_for_structure(b);
     return !is_defined && is_worth_it && by_removed_point(b, x);
   }
 

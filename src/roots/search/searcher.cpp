@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -109,18 +110,21 @@ class searcher {
   // -------------------------------------------------------------------------------------------
   // Towards infinity
 
-  /// Many roots, or places where f is not defined, were found on the way to an infinite or
-  /// singular end, b is next on that way, and f is not proved to have no root from some point on.
+  /// Many roots, or places where f is not defined, were found on the way to an infinite end or to
+  /// a singular point, b is next on that way, and f is not proved to have no root from some point
+  /// on.
   /// To the left only whole parts are passed, as a part is examined from its left end.
   bool seems_endless(const work_box& b) {
     const auto most = static_cast<std::size_t>(options_.most_towards_end);
     if (s_.found.size() + s_.singular.size() < most || (!b.x.lower && !b.x.upper)) return false;
-    if (b.is_at_singular_end) {
-      const bool rightward = b.x.lower != s_.settled[b.problem].whole().lower;
-      if (!roots_crowd_before(b, rightward)) return false;
-      std::optional<bool>& known = ends_somewhere_.at(rightward ? 3 : 2);
-      if (!known) known = is_rootless_beside_end(b, rightward);
-      return !*known;
+    if (b.singular != singular_point::none) {
+      if (!roots_crowd_before(b)) return false;
+      if (b.singular == singular_point::inside) return true;
+      const bool is_upper = b.singular == singular_point::at_upper_end;
+      const auto [known, is_new] =
+          rootless_beside_.try_emplace({is_upper ? *b.x.upper : *b.x.lower, is_upper}, false);
+      if (is_new) known->second = is_rootless_beside_end(b, is_upper);
+      return !known->second;
     }
     const bool rightward = b.x.lower.has_value();
     std::optional<bool>& known = ends_somewhere_.at(rightward ? 1 : 0);
@@ -139,26 +143,58 @@ class searcher {
     if (!known) known = has_rootless_end(end);
     return !*known;
   }
-  /// Of the roots before the box, which ends at an end of the interval, there are many at distances
-  /// from that end between its width and twice as much, and no more between twice and four times:
-  /// they do not become fewer towards the end. Or the box is so small that they go on at all
-  /// scales.
-  [[nodiscard]] bool roots_crowd_before(const work_box& b, bool is_upper) const {
-    constexpr long many = 16;
+  /// Parts of x, beside the box, are not examined yet.
+  [[nodiscard]] bool is_open_beside(const work_box& b, const double_interval& x) const {
+    return std::ranges::any_of(s_.pending, [&](const work_box& other) {
+      return &other != &b && other.problem == b.problem &&
+             (!other.x.lower || static_cast<double>(*other.x.lower) < x.upper()) &&
+             (!other.x.upper || static_cast<double>(*other.x.upper) > x.lower());
+    });
+  }
+  /// On a side of the box's singular point there are many roots at distances between the box's
+  /// width and twice as much, and no more between twice and four times: they do not become fewer
+  /// towards that point. Or the box is so small that they go on at all scales.
+  [[nodiscard]] bool roots_crowd_before(const work_box& b) const {
     const exact_box& whole = s_.settled[b.problem].whole();
-    if (!whole.is_bounded() || whole.width() < 4 * b.x.width()) return false;
     constexpr unsigned scales = 200;
-    if (b.x.width() * rational(integer(1) << scales) < whole.width()) return true;
-    const auto end = static_cast<double>(is_upper ? *b.x.upper : *b.x.lower);
-    const auto width = static_cast<double>(b.x.width());
-    const auto between = [&](double near, double far) {
-      return std::ranges::count_if(s_.found, [&](const found_root& r) {
-        const double distance = std::abs(r.about.midpoint() - end);
-        return near * width <= distance && distance < far * width;
-      });
+    const rational size = whole.is_bounded() ? whole.width() : rational(1);
+    if (b.x.width() * rational(integer(1) << scales) < size) return true;
+    const bool is_at_lower = b.singular == singular_point::at_lower_end;
+    const bool is_at_upper = b.singular == singular_point::at_upper_end;
+    const rational point = is_at_lower ? *b.x.lower : is_at_upper ? *b.x.upper : b.x.middle();
+    const auto crowd = [&](bool rightward) {
+      const rational width = rightward ? b.x.width() : rational(-b.x.width());
+      if (!whole.contains(point + 4 * width)) return false;
+      const double_interval searched =
+          hull(double_interval(point), double_interval(rational(point + 4 * width)));
+      if (is_open_beside(b, searched)) return false;
+      // Of the roots and singular places beyond the box, from the point, in units of the width.
+      const double edge = is_at_lower || is_at_upper ? 1 : 0.5;
+      const auto from = static_cast<double>(point);
+      const auto unit = static_cast<double>(width);
+      std::vector<double> distances;
+      const auto add = [&](double x) {
+        const double distance = (x - from) / unit;
+        if (edge <= distance && distance < 4) distances.push_back(distance);
+      };
+      for (const found_root& r : s_.found) add(r.about.midpoint());
+      for (const singular_place& p : s_.singular) {
+        add(double_interval::from_ball(p.place).midpoint());
+      }
+      std::ranges::sort(distances);
+      const auto between = [&](double near, double far) {
+        return std::ranges::lower_bound(distances, far) - std::ranges::lower_bound(distances, near);
+      };
+      constexpr std::size_t many = 16;
+      if (between(1, 2) < static_cast<long>(many) || between(1, 2) < between(2, 4)) return false;
+      // The nearest ones begin at the box, and do not become more away from it, towards another
+      // singular point.
+      const double first = distances.front();
+      const double middle = distances[many / 2];
+      const double last = distances[many - 1];
+      return first - edge <= last - first && middle - first <= 1.5 * (last - middle);
     };
-    const auto nearest = between(1, 2);
-    return nearest >= many && nearest >= between(2, 4);
+    return (!is_at_upper && crowd(true)) || (!is_at_lower && crowd(false));
   }
   /// f is proved to have no root in a part of the unbounded box, up to infinity.
   bool has_rootless_end(const work_box& b) {
@@ -192,7 +228,7 @@ class searcher {
   void leave_open_end() {
     s_.has_open_end = true;
     const work_box& next = s_.pending.back();
-    const bool takes_all = !next.is_at_singular_end && next.x.lower.has_value();
+    const bool takes_all = next.singular == singular_point::none && next.x.lower.has_value();
     const std::string remark = fmt::format(
         "there may be infinitely many roots: {} roots or singular places were found before it, and "
         "none is proved to be the last; in an interval that ends before, all are found",
@@ -458,9 +494,10 @@ class searcher {
   std::optional<worker_threads> workers_;
   tbb::enumerable_thread_specific<evaluators> evaluators_;
   long most_at_a_time_ = 1;
-  /// Whether f has no root from some point on, to the left and to the right, towards infinity and
-  /// towards a singular end, where it was asked.
-  std::array<std::optional<bool>, 4> ends_somewhere_;
+  /// Whether f has no root from some point on, to the left and to the right, where it was asked.
+  std::array<std::optional<bool>, 2> ends_somewhere_;
+  /// Whether f has no root beside a point, below it (true) or above it, where it was asked.
+  std::map<std::pair<rational, bool>, bool> rootless_beside_;
   long waiting_ = 0;  // boxes that were examined and not merged yet
 };
 

@@ -3,6 +3,7 @@
 // What a search for roots knows: the boxes that are left, the roots and the singular places that
 // were found, and the pieces of the interval that are settled.
 
+#include <cstdint>
 #include <exception>
 #include <limits>
 #include <memory>
@@ -27,6 +28,9 @@ constexpr int halvings_beside_zero = 64;
 
 struct outcome;
 
+/// Where a box seems to have a point at which f is not defined or not bounded.
+enum class singular_point : std::uint8_t { none, at_lower_end, at_upper_end, inside };
+
 struct work_box {
   exact_box x;
   int halvings = 0;
@@ -35,9 +39,11 @@ struct work_box {
   std::string remark;  // why it is left unresolved
   /// It is not halved where f is not defined on the whole of it, or not bounded.
   bool is_left_whole = false;
-  /// It ends where the interval does, and f is not known to be defined or bounded there.
-  bool is_at_singular_end = false;
-  /// It is the rest of the interval on the way to an end with many roots.
+  /// A guess, which decides on the order of the search and on where it ends.
+  singular_point singular = singular_point::none;
+  /// The other part of the box that it was halved from is singular.
+  bool is_beside_singular = false;
+  /// It is the rest of the interval on the way to an end, or a singular point, with many roots.
   bool is_open_end = false;
   /// What its examination gives, where it was examined before its turn.
   std::shared_ptr<outcome> ahead = nullptr;
@@ -104,7 +110,7 @@ struct root_search::state {
   std::vector<singular_place> singular;
   bool identically_zero = false;
   bool concluded = false;
-  /// The rest of the interval up to an end was left, after many roots.
+  /// A rest of the interval up to an end, or around a singular point, was left, after many roots.
   bool has_open_end = false;
   std::string limit;  // the one that ended the last run
   isolation_account account;
