@@ -17,8 +17,8 @@
 #include <optional>
 #include <vector>
 
-#include "tiling/tiling.hpp"
 #include "polhode/arithmetic/ball.hpp"
+#include "tiling/tiling.hpp"
 
 namespace polhode::detail {
 

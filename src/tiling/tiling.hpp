@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "tiling/exact_interval.hpp"
 #include "polhode/arithmetic/end_point.hpp"
+#include "tiling/exact_interval.hpp"
 
 namespace polhode::detail {
 

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "tiling/tiling.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/quadrature/integrate_box.hpp"
 #include "support/random.hpp"
 #include "support/reference.hpp"
+#include "tiling/tiling.hpp"
 
 namespace polhode {
 namespace integrate_box_test {

@@ -4,11 +4,11 @@
 
 #include <optional>
 
-#include "tiling/tiling.hpp"
 #include "polhode/arithmetic/complex_ball.hpp"
 #include "polhode/quadrature/rule.hpp"
 #include "quadrature/formula/integrand.hpp"
 #include "quadrature/rules/periodic.hpp"
+#include "tiling/tiling.hpp"
 
 namespace polhode::detail {
 

@@ -16,10 +16,10 @@
 #include <optional>
 #include <vector>
 
-#include "tiling/tiling.hpp"
 #include "polhode/arithmetic/end_point.hpp"
 #include "polhode/arithmetic/polynomial.hpp"
 #include "quadrature/formula/formula_graph.hpp"
+#include "tiling/tiling.hpp"
 
 namespace polhode::detail {
 

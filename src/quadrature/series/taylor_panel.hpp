@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "tiling/tiling.hpp"
 #include "polhode/arithmetic/polynomial.hpp"
+#include "tiling/tiling.hpp"
 
 namespace polhode::detail {
 

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <utility>
 
-#include "tiling/tiling.hpp"
 #include "panel_choice.hpp"
 #include "panel_integral.hpp"
 #include "quadrature/base/approximate.hpp"
 #include "quadrature/formula/formula_graph.hpp"
 #include "quadrature/formula/periods.hpp"
 #include "taylor_ranges.hpp"
+#include "tiling/tiling.hpp"
 
 namespace polhode::detail {
 
