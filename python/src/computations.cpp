@@ -171,11 +171,37 @@ complex_roots_result complex_roots_from_python(py::handle f,
   });
 }
 
-struct system_answer {
+struct found_system {
   std::vector<std::vector<ball>> roots;  // those that are proved
   std::vector<std::vector<ball>> unresolved;
+  system_root_set found;
   bool certified = false;
 };
+/// With what a certificate is of.
+struct system_answer : found_system {
+  std::vector<expression> equations;
+  system_box box;
+  long digits = default_digits;
+
+  /// Throws input_error for an unbounded box, and as expect_checkable.
+  [[nodiscard]] system_over_box checkable() const {
+    system_over_box what{equations, {}, {}};
+    for (const auto& [from, to] : box) {
+      if (!from || !to) throw input_error("no certificate: the box must be bounded");
+      what.from.push_back(parse(to_text(*from), {}));
+      what.to.push_back(parse(to_text(*to), {}));
+    }
+    expect_checkable(what);
+    return what;
+  }
+};
+
+py::object certificate_of_system(const system_answer& a, std::optional<double> time_limit) {
+  return certificate_to_python(
+      time_limit, [what = a.checkable(), found = a.found, digits = a.digits](const stop_flag&) {
+        return certificate_of(what, found, digits);
+      });
+}
 
 system_answer system_from_python(const py::sequence& equations, const py::sequence& box,
                                  const std::optional<std::vector<std::string>>& names, long digits,
@@ -206,13 +232,13 @@ system_answer system_from_python(const py::sequence& equations, const py::sequen
   }
   const real_system system(components);
   (void)checked_digits(digits);
-  return interruptible(time_limit, [=](const stop_flag& flag) {
+  auto found = interruptible(time_limit, [=](const stop_flag& flag) {
     system_options options;
     options.progress = [&](const isolation_progress&) { return !*flag; };
-    const system_root_set found = solve_system(system, ranges, options);
-    system_answer result;
-    result.certified = found.is_resolved();
-    for (const system_region& region : found.regions) {
+    found_system result;
+    result.found = solve_system(system, ranges, options);
+    result.certified = result.found.is_resolved();
+    for (const system_region& region : result.found.regions) {
       expect_going_on(flag);
       if (!is_one_root(region.verdict) || region.may_lie_outside) {
         result.unresolved.push_back(region.enclosure);
@@ -224,6 +250,7 @@ system_answer system_from_python(const py::sequence& equations, const py::sequen
     }
     return result;
   });
+  return {std::move(found), components, ranges, digits};
 }
 
 }  // namespace
@@ -419,6 +446,9 @@ without it f has to be a polynomial with rational coefficients.
       .def("__bool__", [](const system_answer& a) { return a.certified; })
       .def_readonly("certified", &system_answer::certified)
       .def_readonly("unresolved", &system_answer::unresolved, "Boxes that may hold more roots.")
+      .def("certificate", &certificate_of_system, py::kw_only(), py::arg("time_limit") = py::none(),
+           "A dict that polhode.check shows again, and `polhode check` as JSON. Raises ValueError "
+           "where no certificate can hold the roots: where one is multiple, or the box unbounded.")
       .def("__repr__", [](const system_answer& a) {
         return fmt::format("<{} root{} of a system, {}>", a.roots.size(),
                            a.roots.size() == 1 ? "" : "s",

@@ -148,7 +148,9 @@ OF_FORMULAS = [
     lambda f, g, a, b: polhode.integrate_along(f.replace("x", "z"), [a, (b, 1), g], 5, **LIMIT),
     lambda f, g, a, b: polhode.integrate_box(f, a, b, {"k": (1, 2)}, 5, **LIMIT),
     lambda f, g, a, b: polhode.complex_roots(f.replace("x", "z"), ((-2, -1), (2, 1)), 5, **LIMIT),
-    lambda f, g, a, b: polhode.solve_system([f, g], [(a, 2), (-1, b)], ["x", "k"], 5, **LIMIT)]
+    lambda f, g, a, b: polhode.solve_system([f, g], [(a, 2), (-1, b)], ["x", "k"], 5, **LIMIT),
+    lambda f, g, a, b: polhode.solve_system([f, g], [(-2, 2), (-1, 1)], ["x", "k"], 5,
+                                            **LIMIT).certificate(**LIMIT)]
 
 
 @cases(800)

@@ -304,8 +304,9 @@ def test_certificates():
     assert certificate["claim"] == "integral" and polhode.check(certificate)["verified"]
     to_pi = polhode.integrate(lambda x: polhode.exp(x), 0, polhode.pi, 15)
     roots = polhode.roots("cos(x) = x", 0, 1, digits=30)
-    both = polhode.check(to_pi.certificate(), roots.certificate())
-    assert both["verified"] and len(both["files"]) == 2
+    system = polhode.solve_system(["x^2 + y^2 - 1", "x = y^3"], [(-2, 2), (-2, 2)], digits=30)
+    all_three = polhode.check(to_pi.certificate(), roots.certificate(), system.certificate())
+    assert all_three["verified"] and len(all_three["files"]) == 3
     certificate["numbers"]["integral"] = {"lower": "3", "upper": "3.1"}
     with pytest.raises(polhode.PolhodeError, match="digest|number"):
         assert not polhode.check(certificate)["verified"]
@@ -315,7 +316,9 @@ def test_certificates():
             (polhode.integrate("1/x", 0, 1), "not certified"),
             (polhode.integrate("x", 0, polhode.ball.hull_of(1, 2)), "no single number"),
             (polhode.roots("x^2", -1, 1), "multiple"), (polhode.roots("sin(x)", 0, polhode.oo),
-                                                        "finite")]:
+                                                        "finite"),
+            (polhode.solve_system(["x^2", "y"], [(-1, 1), (-1, 1)]), "multiple"),
+            (polhode.solve_system(["x-1", "y"], [(0, polhode.oo), (-1, 1)]), "bounded")]:
         with pytest.raises(ValueError, match=why):
             refused.certificate()
 

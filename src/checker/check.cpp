@@ -25,11 +25,12 @@ void check_document(const json& certificate, report& result, budget& work) {
   }
   const std::string& name = root["claim"].text();
   // What follows from the inputs, and is no claim of the paper.
-  void (*const check_inputs)(const place&, report&) = name == statements::roots_claim ? check_roots
-                                                      : name == statements::integral_claim
-                                                          ? check_integral
-                                                      : name == statements::map_claim ? check_map
-                                                                                      : nullptr;
+  void (*const check_inputs)(const place&, report&) =
+      name == statements::roots_claim      ? check_roots
+      : name == statements::system_claim   ? check_system
+      : name == statements::integral_claim ? check_integral
+      : name == statements::map_claim      ? check_map
+                                           : nullptr;
   const claim* text = find_claim(name);
   if (text == nullptr && check_inputs == nullptr) {
     root["claim"].malformed("this version knows no claim " + in_quotes(name) +

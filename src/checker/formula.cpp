@@ -41,8 +41,8 @@ bool is_function(std::string_view name) {
 
 class formula_reader {
  public:
-  formula_reader(const place& where, std::string_view variable)
-      : where_(where), work_(where.work()), text_(where.text()), variable_(variable) {}
+  formula_reader(const place& where, const std::vector<std::string>& variables)
+      : where_(where), work_(where.work()), text_(where.text()), variables_(variables) {}
 
   formula read() {
     const budget::at here = where_.working();
@@ -167,13 +167,16 @@ class formula_reader {
     if (!is_letter(text_[at_])) fail("a number, a name or a \"(\"");
     while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
     const std::string_view name = text_.substr(start, at_ - start);
-    if (!variable_.empty() && name == variable_) return plain({operation::variable});
+    const auto variable = std::find(variables_.begin(), variables_.end(), name);
+    if (variable != variables_.end()) {
+      return plain({operation::variable, static_cast<id>(variable - variables_.begin())});
+    }
     if (name == "pi") return plain({operation::pi});
     if (!is_function(name)) {
+      std::string known;
+      for (const std::string& one : variables_) known += one + ", ";
       where_.malformed("column " + std::to_string(start + 1) + ": " + in_quotes(name) +
-                       " is not known; this checker knows " +
-                       (variable_.empty() ? "" : std::string(variable_) + ", ") + "pi, " +
-                       known_functions());
+                       " is not known; this checker knows " + known + "pi, " + known_functions());
     }
     expect('(');
     const id argument = sum();
@@ -300,14 +303,14 @@ class formula_reader {
   const place& where_;
   budget& work_;
   std::string_view text_;
-  std::string_view variable_;
+  const std::vector<std::string>& variables_;
   std::size_t at_ = 0;
   int levels_ = 0;
   formula result_;
 };
 
-formula formula::read(const place& where, std::string_view variable) {
-  return formula_reader(where, variable).read();
+formula formula::read(const place& where, const std::vector<std::string>& variables) {
+  return formula_reader(where, variables).read();
 }
 
 bool formula::is_variable(std::string_view text) {
@@ -356,8 +359,9 @@ T whole_power(const T& x, long n) {
 }  // namespace
 
 template <class T>
-T formula::operator()(const T& x) const {
-  const precision& bits = precision_of(x);
+T formula::operator()(const std::vector<T>& x) const {
+  const T& like = x.front();
+  const precision& bits = precision_of(like);
   const auto count = static_cast<long>(code_.size());
   constexpr long ends = 2 * sizeof(T) / sizeof(interval);
   const budget::memory held(bits.work(), count * (static_cast<long>(sizeof(T)) +
@@ -371,11 +375,11 @@ T formula::operator()(const T& x) const {
     values.push_back([&]() -> T {
       switch (i.what) {
         case operation::number:
-          return constant(i.number, x);
+          return constant(i.number, like);
         case operation::variable:
-          return x;
+          return x[i.left];
         case operation::pi:
-          return pi_like(x);
+          return pi_like(like);
         case operation::negate:
           return -left();
         case operation::add:
@@ -412,8 +416,8 @@ T formula::operator()(const T& x) const {
   return std::move(values.back());
 }
 
-template interval formula::operator()(const interval& x) const;
-template jet formula::operator()(const jet& x) const;
-template rectangle formula::operator()(const rectangle& x) const;
+template interval formula::operator()(const std::vector<interval>& x) const;
+template jet formula::operator()(const std::vector<jet>& x) const;
+template rectangle formula::operator()(const std::vector<rectangle>& x) const;
 
 }  // namespace polhode::checker

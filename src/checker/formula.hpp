@@ -1,7 +1,6 @@
 #pragma once
 
-// Formulas of one variable, as text: the checker's own reader, and their evaluation over the sets
-// of functions.hpp.
+// Formulas as text: the checker's own reader, and their evaluation over the sets of functions.hpp.
 //
 //   sum     = product { (+|-) product }            from the left
 //   product = signed { (*|/) signed }              from the left
@@ -26,19 +25,24 @@ namespace polhode::checker {
 
 class formula {
  public:
-  /// Reads the text that stands at a place; `variable` is empty where there is none. Malformed
-  /// where it cannot be read, names what this checker does not know, or is longer than
-  /// most_characters.
-  static formula read(const place& where, std::string_view variable);
+  /// Reads the text that stands at a place. Malformed where it cannot be read, names what this
+  /// checker does not know, or is longer than most_characters.
+  static formula read(const place& where, const std::vector<std::string>& variables);
   static constexpr std::size_t most_characters = 20'000;
   /// Whether a text can be the name of a variable: a letter or _, then letters, digits and _;
   /// neither the name of something else, in capitals or not, nor what a reader takes for e, i or a
   /// number (l, I, O).
   static bool is_variable(std::string_view text);
 
-  /// The values for all x, of the kinds interval, jet or rectangle. Throws undecided.
+  /// The values for all x, one for each variable, of the kinds interval, jet or rectangle; there is
+  /// one at least. Throws undecided.
   template <class T>
-  [[nodiscard]] T operator()(const T& x) const;
+  [[nodiscard]] T operator()(const std::vector<T>& x) const;
+  /// The same of a formula in one variable, or in none.
+  template <class T>
+  [[nodiscard]] T operator()(const T& x) const {
+    return (*this)(std::vector<T>{x});
+  }
   /// The number, where the formula was found to be one.
   [[nodiscard]] std::optional<rational> exact_value() const;
 
@@ -65,7 +69,7 @@ class formula {
   };
   struct instruction {
     operation what;
-    std::size_t left = 0;  // of operands: earlier instructions
+    std::size_t left = 0;  // of operands: earlier instructions; of a variable: its number
     std::size_t right = 0;
     rational number = 0;
     long exponent = 0;
@@ -73,8 +77,8 @@ class formula {
   std::vector<instruction> code_;  // the last is the result
 };
 
-extern template interval formula::operator()(const interval& x) const;
-extern template jet formula::operator()(const jet& x) const;
-extern template rectangle formula::operator()(const rectangle& x) const;
+extern template interval formula::operator()(const std::vector<interval>& x) const;
+extern template jet formula::operator()(const std::vector<jet>& x) const;
+extern template rectangle formula::operator()(const std::vector<rectangle>& x) const;
 
 }  // namespace polhode::checker

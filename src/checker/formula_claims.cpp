@@ -2,16 +2,28 @@
 
 namespace polhode::checker {
 
+const std::string& read_variable(const place& where) {
+  const std::string& variable = where.text();
+  if (!formula::is_variable(variable)) {
+    where.malformed("it is " + in_quotes(variable) +
+                    "; it must be a name that no function, constant or number has or resembles");
+  }
+  return variable;
+}
+
+range end_of(const formula& f, const place& where) {
+  const budget::at here = where.working();
+  if (const auto exact = f.exact_value()) return {*exact, *exact};
+  const precision bits(region_bits.back(), where.work());
+  const interval x = f(interval(rational(0), bits));
+  return {x.lower(), x.upper()};
+}
+
 formula_inputs formula_inputs::read(const place& inputs, const char* name) {
   inputs.expect_keys({name, "variable", "from", "to"});
-  const std::string& variable = inputs["variable"].text();
-  if (!formula::is_variable(variable)) {
-    inputs["variable"].malformed(
-        "it is " + in_quotes(variable) +
-        "; it must be a name that no function, constant or number has or resembles");
-  }
-  return {formula::read(inputs[name], variable), formula::read(inputs["from"], ""),
-          formula::read(inputs["to"], ""), variable, inputs};
+  const std::string& variable = read_variable(inputs["variable"]);
+  return {formula::read(inputs[name], {variable}), formula::read(inputs["from"], {}),
+          formula::read(inputs["to"], {}), variable, inputs};
 }
 
 number_ends read_number(const place& number) {

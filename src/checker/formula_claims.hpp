@@ -15,6 +15,11 @@ namespace polhode::checker {
 /// Bits of evaluations over sets, which decide no digits: tried one after the other.
 inline constexpr std::array<long, 3> region_bits{128, 512, 2048};
 
+/// A name that a variable may have.
+[[nodiscard]] const std::string& read_variable(const place& where);
+/// An end of a range, a formula without variables: the number, or two that it lies between.
+[[nodiscard]] range end_of(const formula& f, const place& where);
+
 /// A formula and a range, as a certificate's inputs give them.
 struct formula_inputs {
   formula f;
@@ -36,10 +41,11 @@ struct number_ends {
 };
 [[nodiscard]] number_ends read_number(const place& number);
 
-/// The integral, the roots and the map, as /claim names them: throws refusal, or adds what was
-/// shown to the report.
+/// The integral, the roots of a formula and of a system, and the map, as /claim names them: throws
+/// refusal, or adds what was shown to the report.
 void check_integral(const place& certificate, report& result);
 void check_roots(const place& certificate, report& result);
+void check_system(const place& certificate, report& result);
 void check_map(const place& certificate, report& result);
 
 }  // namespace polhode::checker

@@ -119,15 +119,6 @@ class roots_check {
   formula f_;
 };
 
-/// An end of the range: the number, or two that it lies between.
-range end_of(const formula& f, const place& where) {
-  const budget::at here = where.working();
-  if (const auto exact = f.exact_value()) return {*exact, *exact};
-  const precision bits(region_bits.back(), where.work());
-  const interval x = f(interval(rational(0), bits));
-  return {x.lower(), x.upper()};
-}
-
 std::string name_of(std::size_t i) { return "root_" + std::to_string(i + 1); }
 
 }  // namespace

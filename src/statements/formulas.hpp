@@ -1,6 +1,7 @@
 #pragma once
 
-// The texts of certificates of formulas that someone gave: an integral, and all roots in a range.
+// The texts of certificates of formulas that someone gave: an integral, all roots in a range, and
+// all roots of a system in a box.
 
 #include "statements/claim_text.hpp"
 
@@ -25,5 +26,21 @@ inline constexpr const char* roots_formula = "{} = 0 for {} <= {} <= {}";
 inline constexpr const char* roots_method =
     "On each box the derivative is nowhere 0, and the formula changes its sign between the ends "
     "of the number in it; it is not 0 outside the boxes. Computed in ball arithmetic.";
+
+inline constexpr std::string_view system_claim = "system";
+inline constexpr const char* system_statement =
+    "The formulas are all 0 at exactly {} points of the box, faces included: at one whose "
+    "coordinates are between the ends of the numbers of each root, where the determinant of their "
+    "derivatives is not 0.";
+inline constexpr const char* system_formula = "{} for {}";
+inline constexpr const char* equation_of_system = "{} = 0";
+inline constexpr const char* side_of_system = "{} <= {} <= {}";
+inline constexpr const char* system_method =
+    "Krawczyk's operator maps the numbers of each root into themselves; on each box the matrix of "
+    "derivatives is regular; outside the boxes one of the formulas, or of their linear "
+    "combinations, is not 0. Computed in ball arithmetic.";
+inline constexpr stated_text krawczyks_theorem = cited(
+    "The zero in a box that Krawczyk's operator maps into its interior (R. Krawczyk, 1969; R. E. "
+    "Moore, 1977).");
 
 }  // namespace polhode::statements

@@ -22,7 +22,7 @@ polhode::rational as_provers(const rational& q) { return polhode::rational(q.str
 
 formula checkers(const std::string& text, std::string_view variable = "x") {
   const json value = text;
-  return formula::read(place(value, "/f", generous()), variable);
+  return formula::read(place(value, "/f", generous()), {std::string(variable)});
 }
 
 void expect_holds(const interval& set, const ball& member, const std::string& what) {

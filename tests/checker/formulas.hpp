@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/certificate/certificate_of.hpp"
 #include "polhode/certificate/digest.hpp"
-#include "polhode/certificate/formula_certificates.hpp"
 
 namespace polhode::test {
 
@@ -35,6 +35,36 @@ inline json roots_json(const std::string& f, const std::string& from, const std:
   enclosures.reserve(roots.size());
   for (const std::string& root : roots) enclosures.push_back(value_of(root, digits));
   return roots_certificate({read(f, "x"), read(from), read(to)}, enclosures, digits);
+}
+
+/// A side of a box: a variable, and the ends of its interval.
+struct side {
+  std::string variable;
+  std::string from;
+  std::string to;
+};
+inline system_over_box system_of(const std::vector<std::string>& f,
+                                 const std::vector<side>& sides) {
+  expression_names names;
+  names.variables.clear();
+  for (const side& s : sides) names.variables.push_back(s.variable);
+  system_over_box what;
+  for (const std::string& text : f) what.f.emplace_back(text, names);
+  for (const side& s : sides) {
+    what.from.push_back(read(s.from));
+    what.to.push_back(read(s.to));
+  }
+  return what;
+}
+/// Of all roots in the box, whose ends are rational.
+inline json system_json(const std::vector<std::string>& f, const std::vector<side>& sides,
+                        long digits = 20) {
+  const system_over_box what = system_of(f, sides);
+  system_box box;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    box.emplace_back(what.from[i].exact_value(), what.to[i].exact_value());
+  }
+  return certificate_of(what, solve_system(real_system(what.f), box), digits);
 }
 
 inline void make_digest_right(json& certificate) {

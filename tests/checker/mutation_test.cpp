@@ -61,7 +61,7 @@ constexpr std::array harmless_changes{
              "a wider decimal, outward"},
     harmless{"epsilon0_min|delta_psi_max", "/witness/second_route/(lower|upper)",
              "a wider decimal, outward"},
-    harmless{"integral|roots", "/numbers/[^/]+/digits_asked",
+    harmless{"integral|roots|system", "/numbers/[^/]+/digits_asked",
              "what was asked for: the digits that are there are checked"},
     harmless{"integral", "/witness/pieces/[0-9]+/(rho|supremum|nodes)",
              "another ellipse, another bound or more nodes, with which it is shown as well"},
@@ -69,6 +69,8 @@ constexpr std::array harmless_changes{
              "other pieces of the same range, with which it is shown as well"},
     harmless{"roots", "/witness/boxes/[0-9]+/(lower|upper)",
              "another box around the same root, on which the derivative is not 0 either"},
+    harmless{"system", "/witness/boxes/[0-9]+/[0-9]+/(lower|upper)",
+             "another box around the same root, on which the derivatives are regular too"},
     harmless{
         "map", "/witness/cells/[0-9]+/[0-9]+",
         "another cut, by which as many cells are decided, on about the same share of the area"},
@@ -236,7 +238,8 @@ TEST(Mutation, NoChangeOfAFormulasCertificateIsAccepted) {
        {test::integral_json("4/(1+x^2)", "0", "1", "pi"),
         test::integral_json("1/(1+100*x^2)", "-1", "pi", "(atan(10)+atan(10*pi))/10"),
         test::roots_json("sin(x) - x/10", "1", "4", {"2.852341894450091648325219940703"}, 17),
-        test::roots_json("(x^2-2)*(x-1/2)", "-pi", "2", {"-sqrt(2)", "1/2", "sqrt(2)"})}) {
+        test::roots_json("(x^2-2)*(x-1/2)", "-pi", "2", {"-sqrt(2)", "1/2", "sqrt(2)"}),
+        test::system_json({"x^2+y^2-1", "x-y^3"}, {{"x", "-2", "2"}, {"y", "-2", "2"}})}) {
     const count c = mutate(good, std::min(1.0, support::effort()));
     if (support::effort() >= 1) {
       EXPECT_GT(c.refused, 100);

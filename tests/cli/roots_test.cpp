@@ -309,6 +309,23 @@ TEST(Roots, OfASystem) {
   EXPECT_EQ(curve.status, 1);
 }
 
+TEST(Roots, OfASystemAreCheckedAgain) {
+  const scratch_directory directory;
+  const std::string file = directory.path("system.json");
+  const outcome result = run({"roots", "x^2+y^2-1", "x-y^3", "--in", "x=-2..2", "--in", "y=-2..2",
+                              "--digits", "15", "--verify", "--certificate", file});
+  EXPECT_EQ(result.status, 0) << result.err << result.out;
+  EXPECT_NE(result.out.find("second opinion: the same by the independent checker"),
+            std::string::npos)
+      << result.out;
+  EXPECT_EQ(run({"check", file}).status, 0);
+  // What no certificate holds is certified, but not confirmed.
+  const outcome multiple =
+      run({"roots", "x^2", "y", "--in", "x=-1..1", "--in", "y=-1..1", "--verify"});
+  EXPECT_EQ(multiple.status, 1);
+  EXPECT_NE(multiple.out.find("there is a multiple root"), std::string::npos) << multiple.out;
+}
+
 TEST(Roots, OfASystemThatIsGivenWrongly) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"roots", "x+y", "--in", "x=0..1", "--in", "y=0..1"},
@@ -321,7 +338,9 @@ TEST(Roots, OfASystemThatIsGivenWrongly) {
         {"roots", "x+y", "x-z", "--in", "x=0..1", "--in", "y=0..1"},
         {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "y=1..0"},
         {"roots", "x", "0", "1", "x^2"},
-        {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "y=0..1", "--verify"},
+        {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "y=0..inf", "--certificate", "no.json"},
+        {"roots", "x+y", "abs(y)", "--in", "x=0..1", "--in", "y=0..1", "--certificate", "no.json"},
+        {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "y=0..1", "--certificate", "no.json"},
         {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "y=0..1", "--threads", "2"},
         {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "y=0..1", "--variable", "y"},
         {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "y=0..1", "--digits", "99999999999"},

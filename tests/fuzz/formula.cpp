@@ -31,7 +31,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   polhode::checker::budget work(most);
   try {
     const polhode::checker::place where(text, "/formula", work);
-    const auto f = polhode::checker::formula::read(where, "x");
+    const auto f = polhode::checker::formula::read(where, {"x"});
     const polhode::checker::precision bits(64, work);
     const interval x = interval::between(rational(1, 3), rational(1, 2), bits);
     evaluate(f, x);

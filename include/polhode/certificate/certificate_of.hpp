@@ -12,6 +12,7 @@
 #include "polhode/certificate/formula_certificates.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "polhode/roots/isolate.hpp"
+#include "polhode/roots/systems.hpp"
 
 namespace polhode {
 
@@ -25,6 +26,25 @@ namespace polhode {
 /// digits. Throws input_error as expect_checkable does for the roots, and as roots_certificate
 /// does.
 [[nodiscard]] json certificate_of(const formula_over_range& what, const root_set& found,
+                                  long digits);
+
+/// Formulas in as many variables, and a side of a box for each; `from` and `to` have no variables.
+struct system_over_box {
+  std::vector<expression> f;
+  std::vector<expression> from;
+  std::vector<expression> to;
+};
+
+/// Throws input_error where a checker would not know what a formula or an end is made of, or how
+/// many there are, and says so.
+void expect_checkable(const system_over_box& what);
+
+/// The certificate, in its JSON form, of the roots `found` of the system in its box, to so many
+/// digits: the enclosures, widened by 10^-digits/100, and a box around each on which the matrix of
+/// derivatives is regular. Throws input_error as expect_checkable does; where a root is not proved
+/// to be simple and the only one in its place; and where no such box is found: at a root on a face
+/// of the box.
+[[nodiscard]] json certificate_of(const system_over_box& what, const system_root_set& found,
                                   long digits);
 
 /// Throws input_error where no certificate can hold the roots, and says why: the function is 0

@@ -531,6 +531,10 @@ void refuse_options_of_interval(const roots_options& options, const std::string&
   if (options.verify.given || options.certificate.is_given()) {
     throw usage_error(fmt::format("--verify and --certificate: there are none yet of {}", kind));
   }
+  refuse_threads(options, kind);
+}
+
+void refuse_threads(const roots_options& options, const std::string& kind) {
   if (options.threads.value() != 1) {
     throw usage_error(fmt::format("--threads: {} are found on one thread", kind));
   }

@@ -11,11 +11,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/options/second_opinion.hpp"
 #include "cli/output/errors.hpp"
 #include "cli/output/json_document.hpp"
 #include "cli/output/progress.hpp"
 #include "cli/output/streams.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/certificate/certificate_of.hpp"
 #include "polhode/roots/systems.hpp"
 #include "roots_options.hpp"
 
@@ -28,6 +30,7 @@ struct system_given {
   std::vector<std::string> variables;
   std::vector<expression> formulas;
   std::vector<std::string> intervals;
+  std::vector<std::pair<std::string, std::string>> ends;  // of the intervals, as they were given
   system_box box;
 };
 
@@ -65,6 +68,7 @@ system_given read_system(const roots_options& options) {
     given.box.emplace_back(face(lower, -1, name, options.let), face(upper, 1, name, options.let));
     given.variables.push_back(name);
     given.intervals.push_back(fmt::format("{}..{}", lower, upper));
+    given.ends.emplace_back(lower, upper);
   }
   std::vector<std::string> texts{options.formula};
   for (const auto& text : {options.range.first, options.range.second}) {
@@ -119,6 +123,40 @@ system_answer find_roots(const system_given& given, long digits, double seconds)
     a.certified.push_back(certified);
   }
   return a;
+}
+
+/// What a certificate is of. Throws input_error for an unbounded box.
+system_over_box checkable_box(const system_given& given, const let_option& let) {
+  system_over_box what{given.formulas, {}, {}};
+  for (std::size_t i = 0; i < given.box.size(); ++i) {
+    if (!given.box[i].first || !given.box[i].second) {
+      throw input_error(
+          fmt::format("no certificate: the interval of {} must be finite", given.variables[i]));
+    }
+    what.from.push_back(read_formula(given.ends[i].first, {}, let));
+    what.to.push_back(read_formula(given.ends[i].second, {}, let));
+  }
+  expect_checkable(what);
+  return what;
+}
+
+/// The only second opinion on the roots of a system is the checker's.
+printed_opinion verify(const system_given& given, const system_answer& a, long digits,
+                       const let_option& let) {
+  const progress line;
+  line.show("looking for a second opinion");
+  printed_opinion result;
+  try {
+    result.add(checked_again("the roots",
+                             fmt::format("the search, {} boxes", a.roots.account.boxes),
+                             certificate_of(checkable_box(given, let), a.roots, digits)));
+  } catch (const std::invalid_argument& error) {
+    printed_route none;
+    none.route = "the independent checker, from a certificate";
+    none.obstacle = error.what();
+    result.add(std::move(none));
+  }
+  return result;
 }
 
 std::string remark_on(const system_region& r) {
@@ -218,12 +256,12 @@ json as_json(const system_given& given, const system_answer& a, long digits) {
 }  // namespace
 }  // namespace system_roots_impl
 
-exit_status run_system(const roots_options& options) {
+exit_status run_system(roots_options& options) {
   using namespace system_roots_impl;
   if (options.range.from || options.range.to) {
     throw usage_error("--from and --to: of a system, give --in NAME=LO..HI for each variable");
   }
-  refuse_options_of_interval(options, "the roots of a system");
+  refuse_threads(options, "the roots of a system");
   if (options.given_variable) {
     throw usage_error("--variable: of a system, the names are those of --in NAME=LO..HI");
   }
@@ -234,13 +272,27 @@ exit_status run_system(const roots_options& options) {
     numbers += 3 * static_cast<double>(f.live_numbers() * (given.variables.size() + 1));
   }
   check_memory(options, numbers);
-  const system_answer a = find_roots(given, digits, options.time_limit.limit());
+  const double seconds = options.time_limit.limit();
+  std::optional<system_over_box> what;
+  if (options.certificate.is_given()) what = checkable_box(given, options.let);
+  options.certificate.prepare();
+  const system_answer a = find_roots(given, digits, seconds);
+  std::optional<printed_opinion> opinion;
+  if (options.verify.given && a.is_certified()) opinion = verify(given, a, digits, options.let);
+  if (what && a.is_certified()) {
+    options.certificate.write(certificate_of(*what, a.roots, digits));
+  }
   const std::string format = options.format.value();
   if (format == "json") {
-    print(json_document_text("roots", as_json(given, a, digits)));
+    json result = as_json(given, a, digits);
+    if (opinion) result["second_opinion"] = opinion->as_json();
+    print(json_document_text("roots", result));
   } else {
-    print(format == "csv" ? as_csv(given, a, digits) : as_text(given, a, digits));
+    print((format == "csv" ? as_csv(given, a, digits) : as_text(given, a, digits)) +
+          (opinion ? opinion->as_text() : ""));
   }
+  options.certificate.expect_certified(a.is_certified());
+  if (opinion) return opinion->status();
   return a.is_certified() ? exit_status::all_certified : exit_status::not_certified;
 }
 

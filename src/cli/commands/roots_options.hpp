@@ -44,6 +44,8 @@ struct roots_options {
 /// Throws usage_error for --verify, --certificate and --threads, which only the search in an
 /// interval takes; `kind` names what is looked for.
 void refuse_options_of_interval(const roots_options& options, const std::string& kind);
+/// Throws usage_error for --threads.
+void refuse_threads(const roots_options& options, const std::string& kind);
 
 /// Throws usage_error where so many numbers, to the digits asked for, need too much memory.
 void check_memory(const roots_options& options, double numbers);
@@ -55,7 +57,7 @@ void check_memory(const roots_options& options, double numbers);
 [[nodiscard]] exit_status run_roots_in_rectangle(const roots_options& options);
 
 /// All roots of a system of equations in a box.
-[[nodiscard]] exit_status run_system(const roots_options& options);
+[[nodiscard]] exit_status run_system(roots_options& options);
 
 /// "1 root", "2 roots".
 [[nodiscard]] std::string counted(std::size_t n, const std::string& what);
