@@ -14,6 +14,7 @@
 #include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/certificate/certificate_of.hpp"
+#include "polhode/expression/parse.hpp"
 #include "polhode/roots/complex_roots.hpp"
 #include "polhode/roots/isolate.hpp"
 #include "polhode/roots/systems.hpp"

@@ -7,7 +7,10 @@
 #include <functional>
 
 #include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/interval.hpp"
+#include "polhode/elliptic/carlson.hpp"
 #include "polhode/rigid_body/body_box.hpp"
+#include "polhode/rigid_body/jacobi_start.hpp"
 #include "polhode/rigid_body/tennis_racket.hpp"
 #include "scene/effect_context.hpp"
 
@@ -265,6 +268,17 @@ class ranges_of_effect {
     const rational least(floor_of(lower_rational(times)));
     const rational most(floor_of(upper_rational(times)) + 1);
     add("count", in_range({std::max(least, rational(0)), most}, bits()));
+    flip_times();
+  }
+
+  void montgomery_curve() {
+    add_column([&](const body_box& box, const rational_range& c) {
+      return box.montgomery_phase(c, bits());
+    });
+  }
+  void twist_curve() {
+    add_column(
+        [&](const body_box& box, const rational_range& c) { return box.twist(c, x_.digits()); });
   }
 
   /// I_y/(|J| sqrt(a b)) of every body. The derivatives have no range.
@@ -277,6 +291,131 @@ class ranges_of_effect {
   }
 
  private:
+  struct motions;
+
+  /// Beside each row of the table the range over those bodies that have the motion c; undefined
+  /// where it is not enclosed.
+  template <class Range>
+  void add_column(const Range& range) {
+    if (!to_.table) return;
+    effect_table& table = *to_.table;
+    constexpr fineness few{1, 16, 16, 16};
+    std::vector<body_box> boxes;
+    for (const moment_ranges& cell : cells_of(whole_, {false, true, false}, few)) {
+      boxes.push_back(body_box::of_moments(cell));
+    }
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      const rational_range c{table.first[i], table.first[i]};
+      std::optional<ball> all;
+      for (const body_box& box : boxes) {
+        if (c.low <= -box.b().high || c.low >= box.a().high) continue;  // no motion of these
+        const ball part = range(box, c);
+        all = all ? hull(*all, part) : part;
+      }
+      table.rows[i].push_back(all.value_or(ball::undefined(bits())));
+    }
+    table.columns.push_back(table.columns[1] + "_range");
+    table.units.push_back(table.units[1]);
+  }
+
+  /// The times of the flips that are listed, each of all bodies. Flip n is at (n T - 2 t_0)/2
+  /// (flips.cpp), where t_0 is the distance of time 0 from the zero of sn, or T/2 less that
+  /// distance beyond the turning point: on the same side, and the same branch, for all members, as
+  /// J's components have the same signs for all.
+  void flip_times() {
+    const jacobi_start at = jacobi_start_of(x_.start());
+    const long side = at.sine < 0 ? -1 : 1;
+    // Twice the time is (n - back) T + distances * distance.
+    const rational back = at.cosine == 0 ? rational(side, 2) : rational(at.cosine < 0 ? side : 0);
+    const bool is_exact = at.sine == 0 || at.cosine == 0;
+    const long distances = is_exact ? 0 : at.cosine < 0 ? 2 * side : -2 * side;
+    struct times {
+      ball period, distance, unit;
+    };
+    const auto twice = [&](const integer& n, const times& t) {
+      return rational(n - back) * t.period + distances * t.distance;
+    };
+    const ball none(0, bits());
+    std::vector<times> cells;
+    const bool has_j = x_.what.state->momentum.has_value();
+    for (const moment_ranges& cell : cells_of(whole_, {has_j, true, has_j}, fine)) {
+      const motions m{*this, cell, body_box::of_moments(cell), c_of(x_, cell)};
+      cells.push_back({m.period(), is_exact ? none : distance(m), unit_of_time(x_, cell, bits())});
+    }
+    const ball& period = x_.number("period", "natural_period");
+    const times middle{
+        period, is_exact ? none : at.distance(bits()) / sqrt(x_.motion().lambda2().at(bits())),
+        natural_time(x_.what, bits())};
+    const std::vector<effect_number> numbers = to_.numbers;
+    for (const effect_number& flip : numbers) {
+      if (flip.name.rfind("flip_", 0) != 0) continue;
+      const ball place = (2 * flip.enclosure / middle.unit - twice(0, middle)) / period;
+      const rational near = (lower_rational(place) + upper_rational(place)) / 2;
+      const integer n = floor_of(near + rational(1, 2));
+      // The flip's number is in the ball, which holds one whole number.
+      const ball off = place - n;
+      if (!contains_zero(off) || !certainly_less(abs(off), ball(rational(1, 2), bits()))) {
+        not_certified(to_, flip.name + "_range was not enclosed");
+        continue;
+      }
+      std::optional<ball> all;
+      for (const times& t : cells) {
+        const ball part = scale(twice(n, t) * t.unit, -1);
+        all = all ? hull(*all, part) : part;
+      }
+      add(flip.name, *all, flip.unit);
+    }
+  }
+
+  /// The distance in time, in I_y/J, of J from the zero of sn: sqrt(sn^2) R_F(cn^2, dn^2, 1)/lambda
+  /// (jacobi_start), of all motions of a cell. R_F decreases in each argument.
+  [[nodiscard]] ball distance(const motions& m) const {
+    const precision p = bits();
+    const ball a = in_range(m.box.a(), p);
+    const ball b = in_range(m.box.b(), p);
+    const ball c = in_range(m.c, p);
+    const bool oscillates = x_.regime() == polhode::regime::oscillating;
+    const ball first = oscillates ? a - c : a;  // lambda^2 is first * second
+    const ball second = oscillates ? b : b + c;
+    const triple<rational_range> squares = direction_squares(m.cell);
+    const ball sine2 = in_range(squares[1], p) / (oscillates ? (b + c) / second : (a - c) / first);
+    const ball x2 = in_range(squares[0], p) * (a + b) / (a - c);
+    const ball z2 = in_range(squares[2], p) * (a + b) / (b + c);
+    // sn^2 and cn^2 are in [0, 1] and add up to 1, and dn^2 is in [1 - m, 1].
+    const ball m2 = (oscillates ? a * (b + c) : b * (a - c)) / (first * second);
+    const ball unit = hull(ball(0, p), ball(1, p));
+    const ball cosine2 = intersection(intersection(oscillates ? z2 : x2, 1 - sine2), unit);
+    const ball delta2 = intersection(oscillates ? x2 : z2, hull(1 - m2, ball(1, p)));
+    const auto end = [&](const ball& x, bool is_upper) {
+      const ball part = intersection(x, unit);
+      return part.is_undefined() ? part
+                                 : ball(is_upper ? upper_rational(part) : lower_rational(part), p);
+    };
+    const auto value = [&](bool is_upper) {
+      return sqrt(end(sine2, is_upper)) *
+             carlson_rf(end(cosine2, !is_upper), end(delta2, !is_upper), ball(1, p));
+    };
+    return hull(value(false), value(true)) / sqrt(first * second);
+  }
+  /// (J_i/J)^2 of all motions of a cell.
+  [[nodiscard]] triple<rational_range> direction_squares(const moment_ranges& cell) const {
+    const std::array<rational, 3> given = given_squares(x_);
+    std::array<rational_range, 3> parts;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const rational_range size = x_.what.state->by_omega ? cell[i] : rational_range{1, 1};
+      parts[i] = {given[i] * size.low * size.low, given[i] * size.high * size.high};
+    }
+    triple<rational_range> result;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const rational_range& j = parts[(i + 1) % 3];
+      const rational_range& k = parts[(i + 2) % 3];
+      if (parts[i].high == 0) continue;
+      result[i] = {parts[i].low / (parts[i].low + j.high + k.high),
+                   parts[i].high / (parts[i].high + j.low + k.low)};
+    }
+    return result;
+  }
+
   [[nodiscard]] precision bits() const { return bits_for_digits(x_.digits()) + 64; }
 
   /// The body at a corner.
@@ -413,6 +552,8 @@ void add_ranges(effect_result& to, const effect_context& x) {
       {"montgomery_phase", &ranges_of_effect::montgomery_phase},
       {"mean_precession", &ranges_of_effect::mean_precession},
       {"flips", &ranges_of_effect::flips},
+      {"montgomery_curve", &ranges_of_effect::montgomery_curve},
+      {"twist_curve", &ranges_of_effect::twist_curve},
       {"sensitivity", &ranges_of_effect::sensitivity},
   };
   const auto found = functions.find(to.name);

@@ -10,6 +10,7 @@
 #include "cli/output/exact_decimals.hpp"
 #include "cli/output/gnuplot.hpp"
 #include "polhode/arithmetic/boost_bridge.hpp"
+#include "polhode/arithmetic/double_interval.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "scene_page_template.hpp"
 
@@ -208,13 +209,25 @@ std::vector<std::pair<std::string, std::vector<std::size_t>>> groups_of(const ef
   return groups;
 }
 
-/// A table's numbers as they are drawn.
+/// A column of ranges over all bodies, beside that of the middle values.
+bool is_range(const effect_table& table, std::size_t column) {
+  return table.columns[column].ends_with("_range");
+}
+
+/// A table's numbers as they are drawn, and behind them the ends of each range.
 std::vector<std::vector<double>> drawn_rows(const effect_table& table) {
   std::vector<std::vector<double>> rows;
   for (const std::vector<ball>& row : table.rows) {
     std::vector<double> numbers;
     numbers.reserve(row.size());
     for (const ball& x : row) numbers.push_back(drawn(x));
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      if (!is_range(table, k + 1)) continue;
+      const double_interval ends = double_interval::from_ball(row[k]);
+      const bool is_bounded = row[k].is_bounded();
+      numbers.push_back(is_bounded ? ends.lower() : std::nan(""));
+      numbers.push_back(is_bounded ? ends.upper() : std::nan(""));
+    }
     rows.push_back(std::move(numbers));
   }
   return rows;
@@ -241,7 +254,7 @@ std::string scene_plot(const std::string& title, const effect_table& table,
   }
   program +=
       "set grid lc rgb '#dddddd'\nset key outside top right\nset lmargin 10\nset rmargin 16\n";
-  program += "$data << EOD\n";
+  program += "set datafile missing 'nan'\n$data << EOD\n";
   const std::vector<std::vector<double>> rows = drawn_rows(table);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (is_apart(table, i)) program += '\n';
@@ -264,6 +277,15 @@ std::string scene_plot(const std::string& title, const effect_table& table,
     constexpr std::size_t marks_of_curve = 20;
     const std::size_t interval = std::max<std::size_t>(1, rows.size() / marks_of_curve);
     for (std::size_t i = 0; i < columns.size(); ++i) {
+      if (is_range(table, columns[i])) {
+        // There is one such column, the last, and its ends follow.
+        const std::size_t ends = table.columns.size() + 1;
+        plots = fmt::format(
+            "plot $data using 1:{}:{} with filledcurves fc rgb '#56b4e9' fs transparent solid 0.4 "
+            "title 'all bodies', {}",
+            ends, ends + 1, plots.substr(std::string("plot ").size()));
+        continue;
+      }
       plots += fmt::format("{}$data using 1:{} with linespoints lw 2 pt {} ps 0.8 pi {} title '{}'",
                            plots.empty() ? "plot " : ", ", columns[i] + 1, marks[i % marks.size()],
                            interval, symbol_of(table.columns[columns[i]]));
