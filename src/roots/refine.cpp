@@ -177,8 +177,12 @@ refined_root refine(const root_region& region, long digits) {
     const auto short_one =
         simplest_between(lower_rational(coarse), upper_rational(coarse), few_terms);
     // Rounded to p bits the enclosure may hold a root beside the box; in the box there is one only.
+    const auto may_be_root = [&](const rational& q) {
+      const ball value = f.at(few)->value(ball(q, few));
+      return value.is_undefined() || contains_zero(value);
+    };
     if (short_one && rational_polynomial({*short_one}).height() <= most_height &&
-        contains(x, *short_one) && contains(region.box, *short_one)) {
+        contains(x, *short_one) && contains(region.box, *short_one) && may_be_root(*short_one)) {
       const rational& q = *short_one;
       const auto s = region.function->structure(function_structure::variable_at(q, 0, p));
       if (s && s->series() && settled((*s->series())[0]).is_zero()) {

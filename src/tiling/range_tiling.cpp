@@ -81,6 +81,10 @@ bool is_tiling(const exact_interval& whole, const std::vector<const exact_interv
     return piece_done{x.lower ? piece_end(*x.lower) : piece_end::lower_end(),
                       x.upper ? piece_end(*x.upper) : piece_end::upper_end()};
   };
+  if (pieces.size() == 1) {
+    const exact_interval& x = *pieces.front();
+    return x == whole && !(x.is_bounded() && *x.lower > *x.upper);
+  }
   std::vector<piece_done> done;
   std::vector<rational> points;
   done.reserve(pieces.size());
