@@ -41,6 +41,7 @@ class expansion {
 
   maybe_fraction root() {
     const std::vector<char> used = detail::reachable(g_);
+    count_uses(used);
     for (node_id i = 0; i <= g_.root; ++i) {
       if (used[i] == 0) continue;
       known_[i] = of(i);
@@ -52,6 +53,28 @@ class expansion {
   [[nodiscard]] const std::vector<terms>& divisors() const { return divisors_; }
 
  private:
+  /// How often the operations that are expanded take each node.
+  void count_uses(const std::vector<char>& used) {
+    uses_.assign(g_.size(), 0);
+    ++uses_[g_.root];
+    for (node_id i = 0; i <= g_.root; ++i) {
+      if (used[i] == 0) continue;
+      const operation what = g_[i].what;
+      const bool is_binary = what == operation::add || what == operation::subtract ||
+                             what == operation::multiply || what == operation::divide;
+      if (is_binary || what == operation::negate || what == operation::power_integer) {
+        ++uses_[g_[i].left];
+      }
+      if (is_binary) ++uses_[g_[i].right];
+    }
+  }
+  /// The node's fraction, which is not kept where nothing else needs it: a long sum would be copied
+  /// for each of its terms.
+  fraction taken(node_id i) {
+    if (uses_[i] > 1) return *known_[i];
+    return std::move(*known_[i]);
+  }
+
   /// c x^n joins p; false where that is too long.
   bool add_to(terms& p, long n, const rational& c) {
     if (++steps_ > most_steps || n > greatest_degree) return false;
@@ -65,12 +88,11 @@ class expansion {
     return true;
   }
 
-  maybe_terms sum(const terms& p, const terms& q, int sign) {
-    terms result = p;
+  maybe_terms sum(terms p, const terms& q, int sign) {
     for (const auto& [n, c] : q) {
-      if (!add_to(result, n, c * sign)) return std::nullopt;
+      if (!add_to(p, n, c * sign)) return std::nullopt;
     }
-    return result;
+    return p;
   }
 
   maybe_terms product(const terms& p, const terms& q) {
@@ -117,7 +139,8 @@ class expansion {
     return fraction{std::move(*above), std::move(below), std::nullopt};
   }
 
-  maybe_fraction sum(const fraction& x, const fraction& y, int sign) {
+  maybe_fraction sum(fraction x, const fraction& y, int sign) {
+    if (x.below == y.below) return over(sum(std::move(x.above), y.above, sign), std::move(x.below));
     std::map<std::size_t, long> below = x.below;
     for (const auto& [divisor, n] : y.below) below[divisor] = std::max(below[divisor], n);
     const maybe_terms left = times_missing(x.above, below, x.below);
@@ -197,9 +220,9 @@ class expansion {
       case operation::negate:
         return sum({}, left(), -1);
       case operation::add:
-        return sum(left(), right(), 1);
+        return sum(taken(n.left), right(), 1);
       case operation::subtract:
-        return sum(left(), right(), -1);
+        return sum(taken(n.left), right(), -1);
       case operation::multiply:
         return product(left(), right());
       case operation::divide:
@@ -214,6 +237,7 @@ class expansion {
   const detail::graph& g_;
   bool with_quotients_;
   std::vector<maybe_fraction> known_;
+  std::vector<long> uses_;
   std::vector<terms> divisors_;
   std::size_t steps_ = 0;
 };

@@ -324,47 +324,52 @@ class pair_search {
     g.z = approximately(g.x);
   }
 
-  /// The theorem's discs: true where each guess has one that meets no other.
+  /// The theorem's discs: true where each guess has one that meets no other. The real roots are
+  /// among the theorem's numbers themselves: their w is 0, and their discs are points. They are
+  /// different, as the polynomial has no multiple roots, be they ever so near to each other.
   bool prove() {
     if (!go_on_()) return false;
     const precision p = std::max<precision>(bits_ / 2 + 64, 128);
     const std::size_t m = guesses_.size();
-    std::vector<complex_ball> z;  // the guesses, then the real roots
-    std::vector<const fixed_point*> points;
-    for (const guess& g : guesses_) points.push_back(&g.x);
-    for (const fixed_point& x : real_points_) points.push_back(&x);
-    z.reserve(points.size());
-    for (const fixed_point* x : points) z.push_back(to_ball(*x, bits_, p));
+    std::vector<complex_ball> z;
+    z.reserve(m);
+    for (const guess& g : guesses_) z.push_back(to_ball(g.x, bits_, p));
+    std::vector<complex_ball> real;
+    real.reserve(brackets_.size());
+    for (const exact_interval& b : brackets_) real.emplace_back(b.to_ball(p));
     const auto n = magnitude::from_integer_up(static_cast<std::uint64_t>(values_.degree()));
     const magnitude leading = ball(values_.coefficients().back(), 64).magnitude_lower();
     std::vector<magnitude> radius;
-    std::vector<std::vector<magnitude>> apart(z.size());     // from z[j], j < i
-    std::vector<std::vector<magnitude>> mirrored(z.size());  // from the conjugate of z[j], j <= i
-    for (std::size_t i = 0; i < z.size(); ++i) {
+    std::vector<std::vector<magnitude>> apart(m);     // from z[j], j < i
+    std::vector<std::vector<magnitude>> mirrored(m);  // from the conjugate of z[j], j <= i
+    std::vector<std::vector<magnitude>> from_real(m);
+    for (std::size_t i = 0; i < m; ++i) {
       for (std::size_t j = 0; j < i; ++j) apart[i].push_back((z[i] - z[j]).magnitude_lower());
-      for (std::size_t j = 0; j <= i && j < m; ++j) {
+      for (std::size_t j = 0; j <= i; ++j) {
         mirrored[i].push_back((z[i] - conj(z[j])).magnitude_lower());
       }
+      for (const complex_ball& r : real) from_real[i].push_back((z[i] - r).magnitude_lower());
     }
-    for (std::size_t i = 0; i < z.size(); ++i) {
+    for (std::size_t i = 0; i < m; ++i) {
       magnitude product = leading;
-      for (std::size_t j = 0; j < z.size(); ++j) {
+      for (std::size_t j = 0; j < m; ++j) {
         if (j != i) product = multiply_down(product, i > j ? apart[i][j] : apart[j][i]);
-        if (j >= m) continue;
-        // Of a real point the distance from z[j] is the one from its conjugate.
         product = multiply_down(product, i >= j ? mirrored[i][j] : mirrored[j][i]);
       }
-      const complex_values::values v = values_.at(*points[i], bits_);
+      for (const magnitude& distance : from_real[i]) product = multiply_down(product, distance);
+      const complex_values::values v = values_.at(guesses_[i].x, bits_);
       radius.push_back(
-          divide_up(multiply_up(n, values_.value_bound(*points[i], v, bits_)), product));
+          divide_up(multiply_up(n, values_.value_bound(guesses_[i].x, v, bits_)), product));
       if (product.is_zero()) return false;
     }
-    for (std::size_t i = 0; i < z.size(); ++i) {
-      for (std::size_t j = 0; j <= i && j < m; ++j) {
+    for (std::size_t i = 0; i < m; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) {
         const magnitude both = add_up(radius[i], radius[j]);
         if (j < i && apart[i][j] <= both) return false;
         if (mirrored[i][j] <= both) return false;
       }
+      const auto is_in_disc = [&](const magnitude& distance) { return distance <= radius[i]; };
+      if (std::ranges::any_of(from_real[i], is_in_disc)) return false;
     }
     for (std::size_t i = 0; i < m; ++i) guesses_[i].radius = radius[i];
     proved_bits_ = bits_;
@@ -455,11 +460,22 @@ bool add_roots(const rational_polynomial& factor, long multiplicity, precision p
   for (const rational& q : real->exact) add(complex_ball(ball(q, p + 16)), q);
   if (real->rest.size() == 1) return true;
   polynomial_values values(real->rest);
+  std::vector<ball> enclosures;
   for (exact_interval& b : real->brackets) {
     if (!go_on()) return false;
     b = narrowed(values, b, p);
-    add(complex_ball(b.to_ball(p + 16)));
+    enclosures.push_back(b.to_ball(p + 16));
+    // Real roots that are nearer to each other than the digits tell are told apart by more.
+    const std::size_t k = enclosures.size() - 1;
+    for (precision bits = 2 * p; k > 0 && overlaps(enclosures[k - 1], enclosures[k]); bits *= 2) {
+      for (const std::size_t i : {k - 1, k}) {
+        if (!go_on()) return false;
+        real->brackets[i] = narrowed(values, real->brackets[i], bits);
+        enclosures[i] = real->brackets[i].to_ball(bits + 16);
+      }
+    }
   }
+  for (ball& x : enclosures) add(complex_ball(std::move(x)));
   const auto pairs = pair_search(real->rest, real->brackets, go_on).run(p);
   if (!pairs) return false;
   for (const complex_ball& z : *pairs) {
@@ -507,7 +523,7 @@ complex_roots_answer complex_roots(const rational_polynomial& p, long digits,
   const std::function<bool()> ask = [&] {
     return !go_on || go_on(static_cast<long>(result.roots.size()));
   };
-  // Roots that are nearer to each other than the digits tell are told apart by more.
+  // Roots that are still nearer to each other than the digits tell are told apart by more.
   for (precision bits = bits_for_digits(digits) + 8;; bits *= 2) {
     result = {};
     for (const repeated_factor& factor : factors) {
