@@ -168,6 +168,11 @@ refined_root refine(const root_region& region, long digits) {
   }
   const ball& x = result.enclosure;
   if (is_narrow(x)) result.verdict = status::certified;
+  // An enclosure of one number is the root.
+  if (result.verdict == status::certified && x.is_exact()) {
+    result.exact = lower_rational(x);
+    return result;
+  }
   // A short rational number in the enclosure, and exactly a root. It shows in few bits.
   if (result.verdict == status::certified) {
     constexpr precision few = 128;

@@ -1,19 +1,25 @@
 // Integrals to infinity that are proved to diverge, beside twins that converge.
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/parse.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "polhode/quadrature/zero_free_ends.hpp"
 #include "support/integrals_as_text.hpp"
+#include "support/random.hpp"
 
 namespace polhode {
 namespace divergence_test {
 
 using support::number;
+using support::random_source;
+using support::repeat;
 
 reason why(const std::string& f, const std::string& a, const std::string& b) {
   const integral found = integrate(parse(f), number(a), number(b), {.digits = 15});
@@ -91,6 +97,63 @@ TEST(Divergence, SignsBeyondAPoint) {
   EXPECT_EQ(sign("floor(x)-20.5", 16), 0);
   EXPECT_EQ(sign("1/(x-20)", 16), 0);
   EXPECT_EQ(sign("sqrt(x-20)", 16), 0);
+  // One summand outgrows the others.
+  EXPECT_EQ(sign("gamma(x)-x^2", 16), 1);
+  EXPECT_EQ(sign("x^2-gamma(x)", 16), -1);
+  EXPECT_EQ(sign("gamma(x)-x^2", 5), 0);  // the root 5.04
+  EXPECT_EQ(sign("x^x-x^2-1", 4), 1);
+  EXPECT_EQ(sign("x^x-x^2-1", 2), 0);  // the root 2.23
+  EXPECT_EQ(sign("1-x^x+x^3", 4), -1);
+  // A factor of all summands has zeros, or all of them are 0.
+  for (const char* f :
+       {"x*sin(x)+sin(x)", "x*sin(x)^2+sin(x)^2", "(x-20)*x^x+(x-20)", "(x-20)*gamma(x)+(x-20)*x^2",
+        "x^2*cos(x)-cos(x)", "0*x^x+0*x", "x^x*floor(sin(x))-floor(sin(x))", "x^x-x^x-1/x+1/x",
+        "sin(x)+sin(x)/2", "sin(x)/2+x*sin(x)", "3*sin(x)-pi*sin(x)",
+        // Each of the others is less, and their sum is not: the root 17.4.
+        "x^3-10*x^2-130*x", "x^x*(1-10/x-130/x^2)", "gamma(x+1)-10*gamma(x)-130*gamma(x-1)"}) {
+    EXPECT_FALSE(zero_free_ends(parse(f)).beyond(16)) << f;
+  }
+}
+
+// Sums of powers, exponentials, gamma and x^x: where they are proved to have no zero from some
+// point on, none of many values from there on is 0, and all have the sign that is proved.
+TEST(Divergence, SumsThatAreOutgrownHaveNoZeros) {
+  random_source random(412);
+  long proved = 0;
+  for (repeat trial(60); trial.again();) {
+    std::string f;
+    for (long n = random.between(2, 4); n > 0; --n) {
+      constexpr std::array summands{"x",       "x^2",      "sqrt(x)", "x^3", "log(x)",
+                                    "exp(x)",  "gamma(x)", "x^x",     "1",   "exp(x/3)",
+                                    "x^(5/2)", "(x-12)",   "sin(x)"};
+      const auto which = static_cast<std::size_t>(random.between(0, summands.size() - 1));
+      f += (f.empty()          ? ""
+            : random.one_in(2) ? "+"
+                               : "-") +
+           std::to_string(random.between(1, random.one_in(2) ? 3 : 3000)) + "*" +
+           summands.at(which);
+    }
+    const rational from(random.between(2, 40));
+    SCOPED_TRACE(f + " from " + to_text(from));
+    const zero_free_ends ends(parse(f));
+    const bool has_none = ends.beyond(from);
+    const int sign = ends.sign_beyond(from);
+    if (!has_none && sign == 0) continue;
+    ++proved;
+    constexpr precision enough = 8192;  // x^x may cancel
+    const auto value_at = parse(f).evaluator<ball>(enough);
+    std::optional<int> first;
+    for (long k = 0; k < 50; ++k) {
+      const rational x = from + rational(k * k, 5);
+      const ball value = value_at(ball(x, enough));
+      ASSERT_FALSE(contains_zero(value)) << to_text(x);
+      const int its = certainly_positive(value) ? 1 : -1;
+      if (!first) first = its;
+      ASSERT_EQ(its, *first) << to_text(x);
+    }
+    EXPECT_TRUE(sign == 0 || sign == *first);
+  }
+  EXPECT_GT(proved, 15 * support::effort());
 }
 
 }  // namespace divergence_test

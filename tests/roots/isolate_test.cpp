@@ -509,6 +509,23 @@ TEST(IsolateRoots, EndAfterManyRootsTowardsInfinity) {
   expect_resolved(isolate_roots(parse("besselY(0,x)*sin(50*x)"), 0, 10, few), 162);
 }
 
+TEST(IsolateRoots, OneSummandOutgrowsTheOthers) {
+  const end_point infinity = end_point::infinity();
+  expect_resolved(isolate_roots(parse("gamma(x)-x^2"), 1, infinity), 2);
+  expect_resolved(isolate_roots(parse("gamma(x)-100*x^5-7"), 1, infinity), 1);
+  expect_resolved(isolate_roots(parse("x^x-x^2-1"), 1, infinity), 1);
+  expect_resolved(isolate_roots(parse("exp(x^2)-x^5-7"), 0, infinity), 1);
+  expect_resolved(isolate_roots(parse("(x-200)*gamma(x)+(x-200)*x"), 1, infinity), 1);
+}
+
+TEST(IsolateRoots, ARootThatIsAllOfItsEnclosureIsExact) {
+  const root_set s = isolate_roots(parse("erf(x)-x"), -1, 1);
+  expect_resolved(s, 3);
+  const refined_root zero = refine(s.regions[1], 20);
+  ASSERT_TRUE(zero.exact);
+  EXPECT_EQ(*zero.exact, rational(0));
+}
+
 TEST(IsolateRoots, TowardsASingularPointInside) {
   // The roots on both sides are found, and what is left open is a small interval around the point.
   const auto open_parts = [](const root_set& s) {

@@ -327,7 +327,12 @@ growth_bound root(const growth_bound& x, long n) {
 growth_bound exp(const growth_bound& x) {
   if (x.blocked_) return x.passed_on();
   growth_bound result = x.exponential();
-  if (!result.blocked_) result.logarithm_ = std::make_shared<const growth_bound>(x);
+  if (!result.blocked_) {
+    result.logarithm_ = std::make_shared<const growth_bound>(x);
+  } else if (x.sign_ > 0) {  // it grows, and e^-x decays
+    const growth_bound inverse = (-x).exponential();
+    if (!inverse.blocked_) result.inverse_ = std::make_shared<const growth_bound>(inverse);
+  }
   return result;
 }
 
