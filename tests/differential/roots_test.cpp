@@ -600,6 +600,64 @@ known_case touching_at_irrational_numbers(maker& m) {
   return k;
 }
 
+/// To infinity, with one summand that outgrows all powers: a function that increases from 2 on less
+/// its value at r, or a factor with the root r of every summand.
+known_case outgrown_sum(maker& m) {
+  known_case k;
+  const term r = m.one_in(2) ? m.rational_near(m.within(2.5, 9)) : m.near(m.within(2.5, 9));
+  const auto greatest = [](long which, const term& at) {
+    return which == 0   ? call("gamma", at)
+           : which == 1 ? power(at, at)
+           : which == 2 ? call("exp", power(at, 2))
+                        : call("exp", at);
+  };
+  const long which = m.between(0, 3);
+  const term c = m.rational_near(m.scattered(1, 1e4));
+  const long n = m.between(1, 4);
+  const auto others = [&](const term& at) { return c * power(at, n) + call("log", at); };
+  if (m.one_in(2)) {
+    k.c.f = (x - r) * greatest(which, x) + c * (x - r) * power(x, n);
+  } else {
+    k.c.f = greatest(which, x) + others(x) - (greatest(which, r) + others(r));
+  }
+  k.roots = {{r, 1}};
+  k.c = {m.one_in(3) ? -k.c.f : k.c.f, 2, "inf"};
+  return k;
+}
+
+/// Factors with known roots, times a function without zeros that is not defined at s, or
+/// oscillates without end there.
+known_case singular_point_inside(maker& m) {
+  for (;;) {
+    known_case k;
+    const term s = m.one_in(2) ? m.rational_near(m.within(-3, 3)) : m.near(m.within(-3, 3));
+    term f = 1;
+    for (long n = m.between(1, 3); n > 0; --n) {
+      const term r = place(m, k.roots, false);
+      f = f * factor_with_root(m, r);
+      k.roots.push_back({r, 1});
+    }
+    k.roots.push_back({s, 1});
+    if (!all_differ(k.roots)) continue;
+    k.roots.pop_back();
+    switch (m.between(0, 3)) {
+      case 0:
+        f = f * call("exp", -1 / power(x - s, 2));
+        break;
+      case 1:
+        f = f * (2 + call("sin", 1 / (x - s)));
+        break;
+      case 2:
+        f = f / call("sqrt", call("abs", x - s));
+        break;
+      default:
+        f = f * (3 + call("atan", 1 / (x - s)));
+    }
+    k.c = {f, m.near(m.within(-6, -4)), m.near(m.within(4, 6))};
+    return k;
+  }
+}
+
 struct known_family {
   std::string name;
   long at_effort_one;
@@ -672,6 +730,8 @@ INSTANTIATE_TEST_SUITE_P(
         known_family{"kinks at all scales", 150, kinks_at_all_scales},
         known_family{"jumps", 150, beside_jumps},
         known_family{"sums of exponentials", 60, sums_of_exponentials},
+        known_family{"one summand outgrows the others", 60, outgrown_sum},
+        known_family{"singular points inside", 60, singular_point_inside},
         known_family{"removable points", 50, removable_points},
         known_family{"touching at multiples of pi", 50, touching_at_multiples_of_pi},
         known_family{"touching at irrational numbers", 50, touching_at_irrational_numbers}),

@@ -44,7 +44,8 @@ scene_report report_of(const std::string& body, const std::string& state, const 
 
 const std::string wanted =
     R"("regime", "period", "montgomery_phase", "mean_precession", "tennis_racket",)"
-    R"( "intersections", "full_turn", "signature", "sensitivity", "montgomery_curve", "twist_curve")";
+    R"( "intersections", "full_turn", "signature", "sensitivity",)"
+    R"( "montgomery_curve", "twist_curve")";
 /// Where the direction of J is given, too.
 const std::string wanted_with_start = wanted + R"(, "flips")";
 
