@@ -221,6 +221,7 @@ certain_number full_turn_to_digits(const body& rigid, long digits) {
 meeting meeting_to_digits(const body& rigid, const integer& m, long digits) {
   if (m < 1) throw input_error("m = " + m.str() + ": it must be a whole number from 1 on");
   meeting result;
+  result.why = reason::precision_limit;
   result.m = m;
   result.u = result.one_minus_u = result.c = result.epsilon = ball::undefined(64);
   if (m > meeting_count(rigid)) {

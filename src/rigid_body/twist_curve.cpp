@@ -265,13 +265,20 @@ ball slope_at(const body& rigid, const motion& of, const quarter<ball>& way, con
   return oscillating && is_odd(n) ? -result : result;
 }
 
+/// No enclosure, since the precision does not suffice.
+twist undecided(const motion& of, precision p) {
+  twist result;
+  result.why = reason::precision_limit;
+  result.motion = of.regime();
+  result.epsilon = result.slope = ball::undefined(p);
+  return result;
+}
+
 twist twist_on(const body& rigid, const motion& of, quarters& ways, const branch& at, precision p,
                with_slope slope) {
   constexpr precision guard = 32;
-  twist result;
-  result.motion = of.regime();
+  twist result = undecided(of, p);
   result.branch = at.n;
-  result.epsilon = result.slope = ball::undefined(p);
   const ball s = find_s(of, ways, at, p + guard, result.work);
   if (!s.is_bounded()) return result;
   const quarter<ball>& way = ways.at(s.precision());
@@ -295,10 +302,7 @@ twist twist_at(const body& rigid, const rational& c, precision p, with_slope slo
     quarters ways(of);
     return twist_on(rigid, of, ways, *at, p, slope);
   }
-  twist undecided;
-  undecided.motion = of.regime();
-  undecided.epsilon = undecided.slope = ball::undefined(p);
-  return undecided;
+  return undecided(of, p);
 }
 
 twist twist_to_digits(const body& rigid, const rational& c, long digits, with_slope slope) {
@@ -307,8 +311,7 @@ twist twist_to_digits(const body& rigid, const rational& c, long digits, with_sl
 
 twist twist_to_digits(const body& rigid, const motion& of, long digits, with_slope slope) {
   of.refuse_equilibrium();
-  twist result;
-  result.motion = of.regime();
+  twist result = undecided(of, 64);
   const auto at = branch_of(of);
   if (at) {
     const precision most = ample_guard(digits) + 4 * (at->lost + size_in_bits(of.c()));
@@ -334,9 +337,8 @@ twist twist_to_digits(const body& rigid, const motion& of, long digits, with_slo
 certain_number defect_to_digits(const body& rigid, const rational& c, long digits) {
   twist found = twist_to_digits(rigid, c, digits, with_slope::no);
   certain_number result;
+  static_cast<certification&>(result) = found;
   result.enclosure = std::move(found.epsilon);
-  result.verdict = found.verdict;
-  result.why = found.why;
   result.work = found.work;
   return result;
 }

@@ -112,7 +112,7 @@ struct complex_integrand {
 
 /// The same of the real part.
 [[nodiscard]] inline integral real_part(const contour_integral& i) {
-  return {{{i.enclosure.re, i.verdict, i.why, i.obstacle}, i.account}};
+  return {{{{i.verdict, i.why, i.obstacle}, i.enclosure.re}, i.account}};
 }
 
 [[nodiscard]] contour_integral integrate_path(const complex_integrand& f, const path& along,

@@ -10,7 +10,6 @@
 // numbers need a library (MPC) that this one does without.
 
 #include <limits>
-#include <string>
 
 #include "polhode/quadrature/contour.hpp"
 #include "polhode/real/function.hpp"
@@ -23,14 +22,11 @@ namespace polhode {
 /// An integral along a path. Where the verdict is certified its parts differ from re and im by no
 /// more than the errors.
 template <floating_real R>
-struct path_integral {
+struct path_integral : certification {
   R re = std::numeric_limits<R>::quiet_NaN();
   R im = std::numeric_limits<R>::quiet_NaN();
   R re_error = std::numeric_limits<R>::infinity();
   R im_error = std::numeric_limits<R>::infinity();
-  status verdict = status::not_certified;
-  reason why = reason::none;
-  std::string obstacle;
   integral_account account;
 };
 
@@ -71,9 +67,7 @@ requires floating_real<Real>
                         detail::options_for(options, digits));
     detail::set_number_and_error(found.enclosure.re, bits, result.re, result.re_error);
     detail::set_number_and_error(found.enclosure.im, bits, result.im, result.im_error);
-    result.verdict = found.verdict;
-    result.why = found.why;
-    result.obstacle = found.obstacle;
+    static_cast<certification&>(result) = found;
     result.account = found.account;
   } catch (const input_error& error) {
     result.re = detail::bad_input<Real>(function, error, policy);

@@ -56,9 +56,7 @@ namespace polhode {
 [[nodiscard]] certain_number full_turn_to_digits(const body& rigid, long digits);
 
 /// A motion with G(u) = 2 pi/m.
-struct meeting {
-  status verdict = status::not_certified;
-  reason why = reason::precision_limit;
+struct meeting : certification {
   integer m;
   ball u;            // -c/b
   ball one_minus_u;  // to as small a relative radius, where it is below 1/2

@@ -12,10 +12,9 @@
 // through pi/2 - epsilon is meant.
 //
 // With Q = half the Montgomery phase, psi stands at its extremes (oscillating) or has advanced by
-// an odd multiple of pi/2
-// (rotating) at phi = Q/2, 3Q/2, ... On the branch n = floor(pi/Q + 1/2) the rest is r = pi - n Q
-//            in [-Q/2, Q/2), and with the
-// psi_1 in [-pi/2, pi/2] that has phi(psi_1) = r on the first quarters,
+// an odd multiple of pi/2 (rotating) at phi = Q/2, 3Q/2, ... On the branch n = floor(pi/Q + 1/2)
+// the rest is r = pi - n Q in [-Q/2, Q/2), and with the psi_1 in [-pi/2, pi/2] that has
+// phi(psi_1) = r on the first quarters,
 //
 //   psi_c(pi) = (-1)^n psi_1 where the body oscillates,  psi_c(pi) = n pi + psi_1 where it rotates.
 //
@@ -28,9 +27,7 @@
 namespace polhode {
 
 /// A point of the curve.
-struct twist {
-  status verdict = status::not_certified;
-  reason why = reason::precision_limit;
+struct twist : certification {
   regime motion = regime::separatrix;
   integer branch;  // n; 0 on the separatrix
   ball epsilon;    // in radians; undefined where not certified
