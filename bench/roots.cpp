@@ -4,7 +4,8 @@
 // sin of half the precision for f', precision doubling from a start in hardware numbers, and
 // interval Newton as the last step, which makes the whole a proof at the price of that step alone.
 // Polhode is timed with the search: from the interval [0, 1] to the digits. The other tables have
-// no peer: times, and evaluations for each root.
+// no peer: times, and evaluations for each root. The table "published" has the two searches of the
+// manual of IntervalRootFinding.jl, whose times are in docs/roots.md.
 
 #include <cmath>
 #include <string>
@@ -102,6 +103,15 @@ row all_roots(const F& f, long lower, long upper, long digits) {
   return r;
 }
 
+/// The search alone.
+template <class F>
+row search(const F& f, const end_point& lower, const end_point& upper) {
+  row r;
+  r.contestants = {
+      warm([f, lower, upper] { benchmark::DoNotOptimize(isolate_roots(f, lower, upper)); })};
+  return r;
+}
+
 rational_polynomial wilkinson(long n) {
   rational_polynomial p({rational(1)});
   for (long k = 1; k <= n; ++k) p = p * rational_polynomial({rational(-k), rational(1)});
@@ -153,6 +163,12 @@ int main(int argc, char** argv) {
       return all_roots([](const auto& x) { return sin(square(x)); }, 0, 60, digits);
     });
   }
+  const table published{"published", "searches that others publish times of", {"Polhode"}, {}};
+  benchmarks.add(published, "log(x) on [-2, 2]",
+                 [] { return search([](const auto& x) { return log(x); }, -2, 2); });
+  benchmarks.add(published, "cos(x) sin(1/x) on [1/20, 1]", [] {
+    return search([](const auto& x) { return cos(x) * sin(1 / x); }, rational(1, 20), 1);
+  });
   const int status = benchmarks.main(argc, argv);
   if (status == 0) {
     std::cout << '\n';

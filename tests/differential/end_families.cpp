@@ -1105,6 +1105,69 @@ integral_case exponentials_beside_powers(maker& m) {
   return c;
 }
 
+/// A product of powers, exponentials, x^x and gamma functions that grow and decay, times its
+/// logarithmic derivative: known where the product tends to 0, as the fastest factor, or what is
+/// left of two as fast, decides. A divergent twin in one case of four.
+integral_case growth_beside_growth(maker& m) {
+  integral_case c{0, m.rational_near(m.within(0.5, 3)), "inf", few_digits(m)};
+  c.diverges = m.one_in(4);
+  const term b = m.rational_near(m.within(0.2, 4));
+  const term k = m.rational_near(m.within(0.4, 3));
+  const term less = k * m.decimal(m.within(0.1, 0.9));
+  const term s = m.rational_near(m.within(0, 2));
+  // Each with its logarithmic derivative.
+  struct factor {
+    term f;
+    term slope;
+  };
+  const factor exponential{call("exp", b * x), b};
+  const factor square{call("exp", power(x, 2) / 4), x / 2};
+  const auto self = [](const term& e) { return factor{power(x, e * x), e * (call("log", x) + 1)}; };
+  const auto gamma = [&](const term& e) {
+    return factor{call("gamma", e * x + s), e * call("digamma", e * x + s)};
+  };
+  factor greater{1, 0};
+  factor lesser{1, 0};
+  switch (m.between(0, 5)) {
+    case 0:
+      greater = m.one_in(2) ? gamma(k) : self(k);
+      lesser = exponential;
+      break;
+    case 1:
+      greater = square;
+      lesser = m.one_in(2) ? gamma(k) : self(k);
+      break;
+    case 2:
+      greater = m.one_in(2) ? gamma(k) : self(k);
+      lesser = m.one_in(2) ? gamma(less) : self(less);
+      break;
+    case 3: {  // Gamma(x + s)/x^x is about x^(s - 1/2) e^-x
+      const term rest = m.decimal(m.within(0.05, 0.9));
+      greater = self(1);
+      lesser = gamma(1);
+      lesser = {lesser.f * call("exp", rest * x), lesser.slope + rest};
+      break;
+    }
+    case 4: {  // Gamma(2 x)/Gamma(x)^2 is about 4^x
+      greater = {call("gamma", 2 * x), 2 * call("digamma", 2 * x)};
+      lesser = {power(call("gamma", x), 2), 2 * call("digamma", x)};
+      break;
+    }
+    default:
+      greater = exponential;
+      lesser = {call("cosh", b * x / 2), b / 2 * call("tanh", b * x / 2)};
+  }
+  if (c.diverges) std::swap(greater, lesser);
+  const term p = m.one_in(2) ? term(0) : m.rational_near(m.within(-2, 3));
+  const term steady = power(x, p);
+  const term slope = lesser.slope - greater.slope + p / x;
+  const term f = m.any_of({steady * lesser.f / greater.f, lesser.f / (greater.f / steady),
+                           steady / greater.f * lesser.f, lesser.f * (steady / greater.f)});
+  c.integrand = m.one_in(2) ? f * slope : slope * f;
+  if (!c.diverges) c.value = -substituted(f, "x", c.from);
+  return c;
+}
+
 }  // namespace
 
 std::vector<integral_family> end_families() {
@@ -1135,6 +1198,7 @@ std::vector<integral_family> end_families() {
           {"special functions at ends", 8, mostly_cheap(special_end)},
           {"complete elliptic integrals", 5, complete_elliptic},
           {"exponentials beside powers", 6, exponentials_beside_powers},
+          {"growth beside growth", 4, growth_beside_growth},
           {"whole line", 7, mostly_cheap(whole_line)},
           {"extreme sizes", 7, mostly_cheap(extreme_sizes)},
           {"many orders of magnitude", 6, mostly_cheap(many_orders)}};

@@ -119,6 +119,13 @@ TEST(GrowthBound, HoldsTheFunction) {
                              "log(1/2-x^pi)",
                              "cos(x^sqrt(2))",
                              "log(x)*(1/x) - log(x)*(1/x - x)",
+                             "log(x)+1/(1000*x)",
+                             "x^x-2^x",
+                             "exp(x^2)-x^x",
+                             "1-x^x",
+                             "exp(-x^pi)-1",
+                             "exp(3/2*log(x)+x*log(x))",
+                             "exp(2*log(x)-x)",
                              "1/sin(x^sqrt(2))",
                              "1/sin(-20*x^sqrt(2))",
                              "sin(24*x^sqrt(2))",
@@ -200,7 +207,7 @@ TEST(GrowthBound, IsNearlyAttained) {
   expect_attained("1/agm(1,exp(-1/x))", 0.25, rational(1, 2), rational(9, 10), few, 8);
   expect_attained("log(sin(exp(-1/x)))", 0.25, nearly, nearly, few, 8);
   expect_attained("log(-(-exp(-1/x)))", 0.25, nearly, nearly, few, 8);
-  expect_attained("1/gamma(1/x)", 0.25, nearly, 0, few, 6);
+  expect_attained("1/gamma(1/x)", 0x1p-4, rational(1, 3), 0, few, 4);
   expect_attained("ellipticK(x)", 0.25, nearly, rational(9, 10), few, 40);
 }
 
@@ -254,15 +261,83 @@ TEST(GrowthBound, HoldsSpecialFunctions) {
   }
 }
 
-TEST(GrowthBound, WhatIsNotFollowedIsBlocked) {
-  // What is known of 1/gamma is not so of functions of gamma.
-  for (const char* text :
-       {"1/sqrt(gamma(1/x))", "1/log(gamma(1/x))", "1/(gamma(1/x)*exp(-1/x))", "1/(1+gamma(1/x))",
-        "1/abs(gamma(1/x))", "1/exp(gamma(1/x))", "1/sin(gamma(1/x))", "1/root(gamma(1/x), 3)",
-        "1/(gamma(1/x)/x)", "1/gamma(1/x)^(1/4)", "1/(gamma(1/x)-5)"}) {
-    EXPECT_TRUE(look(text, 0.25).bound.is_blocked()) << text;
+/// Of functions that grow faster than all powers: a lower bound, and its sign.
+void expect_lower_bounds(const std::string& text, double r) {
+  const auto [g, f, reach] = look(text, r);
+  EXPECT_TRUE(g.is_blocked()) << text;
+  EXPECT_FALSE(g.is_unknown()) << text;
+  ASSERT_FALSE(g.least_factor().is_zero()) << text;
+  const auto at = f.evaluator<ball>(few);
+  for (long n = 0; n < 16; ++n) {
+    const ball t = ball::exactly(r) * ball(rational(16 - n, 16), few);
+    const ball value = at(t);
+    ASSERT_TRUE(value.is_bounded()) << text << " at " << t;
+    EXPECT_FALSE(certainly_less(abs(value), power_bound(g.least_factor(), g.least_exponent(), t)))
+        << text << " at " << t << ": " << value;
+    EXPECT_EQ(g.sign(), certainly_positive(value) ? 1 : -1) << text;
   }
-  EXPECT_EQ(look("x/(-gamma(1/x))", 0.25).bound.sign(), -1);
+}
+
+TEST(GrowthBound, HoldsQuotientsOfWhatGrows) {
+  for (const double r : {0x1p-4, 0x1p-7}) {
+    for (const char* text : {"1/sqrt(gamma(1/x))",
+                             "1/log(gamma(1/x))",
+                             "1/(gamma(1/x)*exp(-1/x))",
+                             "1/(1+gamma(1/x))",
+                             "1/abs(-gamma(1/x))",
+                             "1/root(gamma(1/x), 3)",
+                             "1/(gamma(1/x)/x)",
+                             "1/gamma(1/x)^(1/4)",
+                             "1/gamma(1/x)^sqrt(2)",
+                             "1/gamma(1/x)^3",
+                             "1/(gamma(1/x)-5)",
+                             "exp(1/x)/gamma(1/x)",
+                             "gamma(1/x)/x^(-1/x)",
+                             "gamma(1/x)^2/gamma(2/x)",
+                             "exp(2/x)/exp(1/x)^3",
+                             "gamma(1/x)*exp(1/x)*x^(1/x)/sqrt(x)",
+                             "gamma(1/x+1/2)/gamma(1/x+3)",
+                             "gamma(1/x)/gamma(1/x+sqrt(2))",
+                             "gamma(1/x+3)/gamma(1/x+1/2)",
+                             "x^3*exp(1/x)/(exp(1/x)-1/x)",
+                             "(exp(2/x)-6*exp(1/x))/(9+exp(2/x))",
+                             "cosh(1/x)/sinh(1/x)",
+                             "log(cosh(1/x))",
+                             "log(gamma(1/x)*exp(2/x)/x^2)",
+                             "exp(-sqrt(2)*log(x)+x)",
+                             "exp(3/2*log(x)+x*log(x)+1)",
+                             "exp(log(x)/pi-2)",
+                             "(1/x)*log(1/x)-1/x",
+                             "log(x)^2-log(x)+x*log(x)^3",
+                             "1/x-log(x)/8",
+                             "airyAi(1/x)*airyBi(1/x)",
+                             "besselK(0,1/x)*besselI(1,1/x)/x",
+                             "lambertW(1/x)*sqrt(x)"}) {
+      expect_few_bounds(text, r);
+    }
+    for (const char* text :
+         {"exp(1/x)", "gamma(1/x)", "-gamma(1/x)", "x^(-1/x)", "gamma(1/x)-exp(1/x)",
+          "exp(1/x)-gamma(1/x)", "x^5*exp(2/x)-exp(1/x)", "sqrt(gamma(1/x))", "sinh(-1/x)",
+          "gamma(1/x)*exp(1/x)/sqrt(x)", "abs(-exp(1/x))", "exp(1/x)+1/x", "gamma(1/x)^2",
+          "x^(-1/x)/gamma(1/x)", "exp(1/x)*(2+cos(log(x)))", "1/exp(-1/x)"}) {
+      expect_lower_bounds(text, r);
+    }
+  }
+  // Where e^-v decays, and grows itself.
+  for (const char* text : {"exp(-gamma(1/x))", "1/exp(gamma(1/x))", "exp(-exp(1/x))/x^3"}) {
+    expect_few_bounds(text, 0x1p-3);
+  }
+  EXPECT_EQ(look("x/(-gamma(1/x))", 0x1p-3).bound.sign(), -1);
+  EXPECT_TRUE(look("exp(1/x)/gamma(1/x)", 0x1p-4).bound.has_growing_parts());
+  EXPECT_FALSE(look("exp(-1/x)", 0x1p-4).bound.has_growing_parts());
+}
+
+TEST(GrowthBound, WhatIsNotFollowedIsBlocked) {
+  for (const char* text : {"1/sin(gamma(1/x))", "1/(gamma(1/x)-exp(3/x))", "sin(exp(1/x))",
+                           "exp(1/x)-exp(1/x)", "gamma(gamma(1/x))"}) {
+    EXPECT_TRUE(look(text, 0.25).bound.is_blocked()) << text;
+    EXPECT_TRUE(look(text, 0.25).bound.least_factor().is_zero()) << text;
+  }
   for (const char* text :
        {"gamma(1/x)", "exp(x^(-pi))", "(x-1/8)^sqrt(2)", "log(cos(log(x)))", "1/cos(log(x))",
         "ellipticK(1-x)", "agm(1,cos(log(x)))", "tan(25*x^sqrt(2))"}) {

@@ -233,8 +233,8 @@ TEST(ByAnExponential, DifferencesFromOneKeepTheirSize) {
 }
 
 TEST(ByAnExponential, UnknownFunctionsAreRefused) {
-  for (const char* f : {"log1p(gamma(x))*exp(-x)", "expm1(-gamma(x))", "sinpi(log_gamma(x))/x^2",
-                        "cospi(agm(x,2))/x^pi"}) {
+  for (const char* f : {"log1p(sin(gamma(x)))*exp(-x)", "expm1(-gamma(x))",
+                        "sinpi(log_gamma(x))/x^2", "cospi(agm(x,2))/x^pi"}) {
     const integral i = integrate(parse(f), 1, end_point::infinity(), {.digits = 10});
     EXPECT_EQ(i.verdict, status::not_certified) << f;
   }

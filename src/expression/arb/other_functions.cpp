@@ -54,6 +54,14 @@ ball lambert_from_branch(const ball*, const ball& x) {
   return hull(ball(-1, p), value_of(named("lambertW"), at, p).re);
 }
 
+/// log x - log log x <= W(x) <= log x - log log x + e/(e - 1) log log x/log x for x >= e (A.
+/// Hoorfar, M. Hassani, Inequalities on the Lambert W function and hyperpower function, J. Inequal.
+/// Pure Appl. Math. 9, 2008, theorem 2.7). Below -1/e it is not defined.
+leading lambert_at_infinity(const ball*, int sign) {
+  if (sign < 0) return not_defined();
+  return leading_term("log(x)-log(log(x))", "8/5*log(log(x))/log(x)");
+}
+
 bool above_1(const ball*, const ball& x) { return certainly_less(ball(1, few_bits), x); }
 
 /// The sum of z^k/k^2, continued off the cut from 1 on.
@@ -275,7 +283,8 @@ std::vector<definition> other_functions() {
        .simpler =
            [](known_arguments x) { return is_exactly(x[0], 0) ? formula("0") : std::nullopt; },
        .bound = [](const ball*, int sign) { return sign > 0 ? steady("log(1+x)") : std::nullopt; },
-       .is_monotonic = always},
+       .is_monotonic = always,
+       .near_infinity = lambert_at_infinity},
       {.what = {"dilog", "x", "dilogarithm, sum of x^k/k^2", "x <= 1"},
        .value = value_of_dilog,
        .in_the_way = cut_of_dilog,

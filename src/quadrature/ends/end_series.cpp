@@ -226,6 +226,17 @@ end_series end_series::simplified() const {
   return r;
 }
 
+end_series end_series::coefficient(int k) const {
+  end_series r = *this;
+  if (!blocked_) r.terms_ = {terms_[static_cast<std::size_t>(k)]};
+  return r.simplified();
+}
+
+std::optional<known_number> end_series::value_at_0() const {
+  if (blocked_ || m_ != 0 || log_degree() != 0) return std::nullopt;
+  return terms_.front().at_0[0];
+}
+
 bool end_series::leads_surely() const {
   return !blocked_ && !contains_zero(terms_.back().at_0[0].enclosure());
 }

@@ -77,6 +77,10 @@ class end_series {
   /// The same function where it is known from elsewhere to be q at t = 0: G_0(0) is made exact,
   /// where m = 0 = K. Blocked where its enclosure says otherwise.
   [[nodiscard]] end_series with_value_at_0(const rational& q) const;
+  /// t^m G_k, simplified; k <= K.
+  [[nodiscard]] end_series coefficient(int k) const;
+  /// G_0(0), where m = 0 = K.
+  [[nodiscard]] std::optional<known_number> value_at_0() const;
   /// G_K(0) is certainly not 0.
   [[nodiscard]] bool leads_surely() const;
 

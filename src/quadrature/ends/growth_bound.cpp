@@ -51,6 +51,11 @@ ball greatest_log() { return 1 / (exp(ball(1, bits)) * ball(log_share(), bits));
 
 }  // namespace
 
+struct growth_bound::factors {
+  growth_bound f;
+  growth_bound g;
+};
+
 growth_bound growth_bound::blocked(std::string_view where) {
   growth_bound result;
   result.where_ = where;
@@ -82,8 +87,7 @@ ball growth_bound::power_of_r(const rational& e) const {
 }
 
 /// C t^b and c t^a from the series h = t^m (G_0 + ... + L^K G_K): |h| <= t^m sum of sup |G_k| |L|^k
-/// with |L|^k <= (1/(e d))^k t^(-k d); and for K = 0
-/// |h| >= t^m inf |G_0|. (On the square |Re t|, |Im t| <= r, which holds 0 < t <= r.)
+/// with |L|^k <= (1/(e d))^k t^(-k d). (On the square |Re t|, |Im t| <= r, which holds 0 < t <= r.)
 void growth_bound::improve_by_series() {
   if (series_.is_blocked()) return;
   const end_series h = series_.simplified();
@@ -101,15 +105,43 @@ void growth_bound::improve_by_series() {
     upper_exponent_ = b;
     blocked_ = false;
   }
-  if (degree == 0 && !blocked_) {
-    const magnitude low = h.infimum();
-    const bool has_none = least_.magnitude_lower().is_zero();
-    if (!low.is_zero() && (has_none || h.exponent() < lower_exponent_)) {
-      least_ = not_negative(upper_end(ball(0, bits).enlarged(low)));
-      lower_exponent_ = h.exponent();
-    }
-  }
   if (sign_ == 0) sign_ = h.sign();
+  for (int k = degree; k >= 0 && !blocked_; --k) improve_by_term(h, k);
+}
+
+/// Of h = H_0 + ... + L^K H_K with H_j = t^(m_j) G_j: |h| >= |L^k H_k| (1 - the sum of |L^(j-k)
+/// H_j/H_k|). There |H_k| >= t^(m_k) inf |G_k|, |L|^(j-k) <= |log r|^(j-k) for j < k and, as above,
+/// <= (1/(e d))^(j-k) t^(-(j-k) d) for j > k, and t^e <= r^e for e >= 0.
+void growth_bound::improve_by_term(const end_series& h, int k) {
+  const end_series leading = h.coefficient(k);
+  if (leading.is_blocked()) return;
+  const ball least_log = -log(ball::exactly(r_));
+  ball left = not_negative(upper_end(ball(0, bits).enlarged(leading.infimum())));
+  for (int j = 0; j <= h.log_degree(); ++j) {
+    if (j == k) continue;
+    const end_series other = h.coefficient(j);
+    const rational e = other.exponent() - leading.exponent() - log_share() * std::max(j - k, 0);
+    if (other.is_blocked() || e < 0) return;
+    const ball size = upper_end(ball(0, bits).enlarged(other.supremum(0)));
+    left -= size * power_of_r(e) * pow(j < k ? least_log : greatest_log(), j - k);
+  }
+  left = lower_end(left);
+  if (!certainly_positive(left)) return;
+  const bool has_none = least_.magnitude_lower().is_zero();
+  if (has_none || leading.exponent() < lower_exponent_) {
+    least_ = not_negative(left * pow(least_log, k));
+    lower_exponent_ = leading.exponent();
+  }
+  if (sign_ == 0) sign_ = k % 2 == 0 ? leading.sign() : -leading.sign();
+}
+
+/// Another bound of the same function.
+void growth_bound::improve_by(const growth_bound& other) {
+  if (least_.magnitude_lower().is_zero()) {
+    least_ = other.least_;
+    lower_exponent_ = std::max(other.lower_exponent_, upper_exponent_);
+  }
+  if (sign_ == 0) sign_ = other.sign_;
 }
 
 growth_bound growth_bound::made(std::string_view name, const ball& most, const rational& b,
@@ -119,6 +151,7 @@ growth_bound growth_bound::made(std::string_view name, const ball& most, const r
   result.r_ = r_;
   result.one_ = one_;
   result.oscillates_ = oscillates_;
+  result.has_growing_parts_ = has_growing_parts_;
   result.series_ = std::move(series);
   result.where_ = name;
   result.most_ = upper_end(most);
@@ -150,11 +183,11 @@ growth_bound growth_bound::constant_of(const ball& x, end_series series) const {
   return result;
 }
 growth_bound growth_bound::constant_like(const rational& q) const {
-  if (blocked_) return passed_on();
+  if (is_unknown()) return passed_on();
   return constant_of(ball(q, 192), one_.constant_like(q));
 }
 growth_bound growth_bound::constant_like(const known_number& x) const {
-  if (blocked_) return passed_on();
+  if (is_unknown()) return passed_on();
   return constant_of(x.enclosure(), one_.constant_like(x));
 }
 
@@ -164,21 +197,84 @@ growth_bound growth_bound::reciprocal_of(const growth_bound& y) {
   return result;
 }
 
+growth_bound::factors growth_bound::factored() const {
+  return factors_ ? *factors_ : factors{*this, constant_like(rational(0))};
+}
+
+growth_bound growth_bound::with(const factors& v) && {
+  if (!v.f.blocked_ && !v.g.blocked_) factors_ = std::make_shared<const factors>(v);
+  return std::move(*this);
+}
+
+/// With e^-g <= C t^b and |f| >= c t^a: |f e^g| >= (c/C) t^(a-b).
+growth_bound growth_bound::of_factors(std::string_view name, const factors& v) {
+  const auto& [f, g] = v;
+  if (f.blocked_ || g.blocked_) return blocked_one(f, g);
+  const growth_bound e = g.exponential();
+  if (!e.blocked_) return (f * e).with(v);
+  growth_bound result = blocked(name);
+  result.r_ = f.r_;
+  result.one_ = f.one_;
+  result.sign_ = f.sign_;
+  const growth_bound inverse = (-g).exponential();
+  if (!inverse.blocked_) {
+    result.least_ = not_negative(f.least_ / inverse.most_);
+    result.lower_exponent_ = rounded(f.lower_exponent_ - inverse.upper_exponent_, 1);
+  }
+  return std::move(result).with(v);
+}
+
+growth_bound growth_bound::with_growing_parts() && {
+  has_growing_parts_ = true;
+  return std::move(*this);
+}
+
+growth_bound growth_bound::of_growing(std::string_view name, const factors& v) {
+  return of_factors(name, v).with_growing_parts();
+}
+
 growth_bound operator-(const growth_bound& x) {
-  growth_bound result = x.blocked_ ? x.passed_on() : x;
+  growth_bound result = x.is_unknown() ? x.passed_on() : x;
   if (x.inverse_) result.inverse_ = std::make_shared<const growth_bound>(-*x.inverse_);
-  if (x.blocked_) return result;
+  if (x.factors_) result = std::move(result).with({-x.factors_->f, x.factors_->g});
   result.sign_ = -x.sign_;
   result.series_ = -x.series_;
   if (x.constant_) result.constant_ = -*x.constant_;
   return result;
 }
 
+/// (f1 + f2 e^h) e^g1 with h = g2 - g1 of either one, where e^h has a bound. For f2 = -f1 it is
+/// -f1 (e^h - 1), and e^h - 1 is h times the mean of e^(s h) over 0 <= s <= 1, which lies between
+/// e^-m and e^m for |h| <= m.
+std::optional<growth_bound::factors> growth_bound::factors_of_sum(const growth_bound& x,
+                                                                  const growth_bound& y) {
+  for (const auto& [great, small] : {std::pair(&x, &y), std::pair(&y, &x)}) {
+    if (!great->factors_) continue;
+    const auto& [f, g] = *great->factors_;
+    const auto [other_f, other_g] = small->factored();
+    const growth_bound h = other_g - g;
+    const ball m = h.greatest_size();
+    if (m.is_bounded() && (f + other_f).is_zero()) {
+      return factors{-(f * h * f.bounded_like("exp", hull(exp(-m), exp(m)))), g};
+    }
+    growth_bound quotient = of_factors("a sum", {other_f, h});
+    quotient.factors_ = nullptr;  // those of f + quotient are not needed
+    if (!quotient.blocked_) return factors{f + quotient, g};
+  }
+  return std::nullopt;
+}
+
 /// |x + y| <= (C_x r^(b_x - b) + C_y r^(b_y - b)) t^b with the lesser b. With one sign for both,
 /// the sum is at least as great as either; else as what is left of the one that is greater by its
 /// bounds: c t^a - C t^b >= (c - C r^(b-a)) t^a for b >= a.
 growth_bound operator+(const growth_bound& x, const growth_bound& y) {
-  if (x.blocked_ || y.blocked_) return growth_bound::blocked_one(x, y);
+  if (x.is_unknown() || y.is_unknown()) return growth_bound::blocked_one(x, y);
+  if (y.is_zero()) return x;
+  if (x.is_zero()) return y;
+  if (x.blocked_ || y.blocked_) {
+    const auto v = growth_bound::factors_of_sum(x, y);
+    return v ? growth_bound::of_growing("a sum", *v) : growth_bound::blocked_one(x, y);
+  }
   const rational b = lesser(x.upper_exponent_, y.upper_exponent_);
   const ball most =
       x.most_ * x.power_of_r(x.upper_exponent_ - b) + y.most_ * x.power_of_r(y.upper_exponent_ - b);
@@ -206,39 +302,56 @@ growth_bound operator+(const growth_bound& x, const growth_bound& y) {
   }
   growth_bound result = x.made("a sum", most, b, least, a, sign, x.series_ + y.series_);
   result.oscillates_ = x.oscillates_ || y.oscillates_;
+  result.has_growing_parts_ = x.has_growing_parts_ || y.has_growing_parts_;
   if (x.constant_ && y.constant_) result.constant_ = *x.constant_ + *y.constant_;
-  return result;
+  const auto v = growth_bound::factors_of_sum(x, y);
+  if (!v) return result;
+  result.improve_by(growth_bound::of_factors("a sum", *v));
+  return std::move(result).with(*v);
 }
 
 growth_bound operator*(const growth_bound& x, const growth_bound& y) {
-  if (x.blocked_ || y.blocked_) return growth_bound::blocked_one(x, y);
+  if (x.is_unknown() || y.is_unknown()) return growth_bound::blocked_one(x, y);
+  const auto factors_of_product = [&]() -> growth_bound::factors {
+    const auto v = x.factored();
+    const auto w = y.factored();
+    return {v.f * w.f, v.g + w.g};
+  };
+  if (x.blocked_ || y.blocked_) {
+    return growth_bound::of_growing((x.blocked_ ? x : y).where_, factors_of_product());
+  }
   growth_bound result = x.made(
       "a product", x.most_ * y.most_, x.upper_exponent_ + y.upper_exponent_, x.least_ * y.least_,
       x.lower_exponent_ + y.lower_exponent_, x.sign_ * y.sign_, x.series_ * y.series_);
   result.oscillates_ = x.oscillates_ || y.oscillates_;
+  result.has_growing_parts_ = x.has_growing_parts_ || y.has_growing_parts_;
   if (x.constant_ && y.constant_) result.constant_ = *x.constant_ * *y.constant_;
-  if (x.logarithm_ || y.logarithm_) {
-    result.keep_logarithm(x.logarithm_of_size() + y.logarithm_of_size());
-  }
+  if (x.factors_ || y.factors_) result = std::move(result).with(factors_of_product());
   return result;
 }
 
 growth_bound operator/(const growth_bound& x, const growth_bound& y) {
-  if (!x.blocked_ && y.inverse_) return x * *y.inverse_;
-  if (x.blocked_ || y.blocked_) return growth_bound::blocked_one(x, y);
+  if (!x.is_unknown() && y.inverse_) return x * *y.inverse_;
+  if (x.is_unknown() || y.is_unknown()) return growth_bound::blocked_one(x, y);
+  const auto factors_of_quotient = [&]() -> growth_bound::factors {
+    const auto v = x.factored();
+    const auto w = y.factored();
+    return {v.f / w.f, v.g - w.g};
+  };
+  if (x.blocked_ || y.blocked_) {
+    return growth_bound::of_growing((x.blocked_ ? x : y).where_, factors_of_quotient());
+  }
   growth_bound result = x.made(
       "a quotient", x.most_ / y.least_, x.upper_exponent_ - y.lower_exponent_, x.least_ / y.most_,
       x.lower_exponent_ - y.upper_exponent_, x.sign_ * y.sign_, x.series_ / y.series_);
-  if (result.blocked_ && x.sign_ * y.sign_ != 0 && (x.logarithm_ || y.logarithm_)) {
-    // |x/y| = exp(log|x| - log|y|), of a y that decays exponentially as well.
-    const growth_bound size = exp(x.logarithm_of_size() - y.logarithm_of_size());
-    if (!size.blocked_) result = x.sign_ * y.sign_ > 0 ? size : -size;
+  if (x.factors_ || y.factors_) {  // of a y that decays exponentially as well
+    const auto v = factors_of_quotient();
+    if (result.blocked_) return growth_bound::of_factors("a quotient", v);
+    result = std::move(result).with(v);
   }
   result.oscillates_ = x.oscillates_ || y.oscillates_;
+  result.has_growing_parts_ = x.has_growing_parts_ || y.has_growing_parts_;
   if (x.constant_ && y.constant_) result.constant_ = *x.constant_ / *y.constant_;
-  if (x.logarithm_ || y.logarithm_) {
-    result.keep_logarithm(x.logarithm_of_size() - y.logarithm_of_size());
-  }
   return result;
 }
 
@@ -268,18 +381,26 @@ growth_bound growth_bound::to_the(const ball& y, std::string_view name, end_seri
 }
 
 growth_bound pow(const growth_bound& x, long n) {
-  if (x.blocked_) return x.passed_on();
+  if (x.is_unknown()) return x.passed_on();
+  const auto factors_of_power = [&]() -> growth_bound::factors {
+    const auto [f, g] = x.factored();
+    return {pow(f, n), g * g.constant_like(rational(n))};
+  };
+  if (x.blocked_) return growth_bound::of_growing(x.where_, factors_of_power());
   growth_bound result = x.to_the(ball(n, 64), "a power", pow(x.series_, n));
   if (n % 2 != 0) result.sign_ = x.sign_;
   if (n % 2 == 0 && x.sign_ == 0 && !certainly_positive(x.least_)) result.sign_ = 0;
   if (n == 0) result.sign_ = 1;
   if (x.constant_) result.constant_ = pow(*x.constant_, n);
-  if (x.logarithm_) result.keep_logarithm(*x.logarithm_ * x.constant_like(rational(n)));
-  return result;
+  return x.factors_ ? std::move(result).with(factors_of_power()) : result;
 }
 
 growth_bound pow(const growth_bound& x, const growth_bound& y) {
-  if (x.blocked_ || y.blocked_) return growth_bound::blocked_one(x, y);
+  if (x.is_unknown() || y.is_unknown()) return growth_bound::blocked_one(x, y);
+  if (x.blocked_ && y.constant_) {
+    const auto [f, g] = x.factored();
+    return growth_bound::of_growing(x.where_, {pow(f, y), g * y});
+  }
   // For x < 0 it is defined where y happens to be whole: nowhere, for 0 < |y| < 1.
   if (!y.constant_ && x.sign_ < 0) {
     const bool is_fraction =
@@ -299,7 +420,8 @@ growth_bound pow(const growth_bound& x, const growth_bound& y) {
 }
 
 growth_bound sqrt(const growth_bound& x) {
-  if (x.blocked_) return x.passed_on();
+  if (x.is_unknown()) return x.passed_on();
+  if (x.blocked_) return root(x, 2);
   if (x.sign_ < 0) return growth_bound::undefined("sqrt");
   if (x.sign_ <= 0 && x.series_.is_blocked()) return growth_bound::blocked("sqrt");
   const end_series series = sqrt(x.series_);
@@ -308,12 +430,17 @@ growth_bound sqrt(const growth_bound& x) {
     return x.made("sqrt", ball::undefined(bits), 0, ball::undefined(bits), 0, 0, series);
   }
   growth_bound result = x.to_the(ball(rational(1, 2), 64), "sqrt", series);
-  if (x.logarithm_) result.keep_logarithm(*x.logarithm_ * x.constant_like(rational(1, 2)));
-  return result;
+  if (!x.factors_) return result;
+  const auto& [f, g] = *x.factors_;
+  return std::move(result).with({sqrt(f), g * g.constant_like(rational(1, 2))});
 }
 
 growth_bound root(const growth_bound& x, long n) {
-  if (x.blocked_) return x.passed_on();
+  if (x.is_unknown()) return x.passed_on();
+  if (x.blocked_) {
+    const auto [f, g] = x.factored();
+    return growth_bound::of_growing(x.where_, {root(f, n), g * g.constant_like(rational(1, n))});
+  }
   if (x.sign_ < 0 && n % 2 != 0) return -root(-x, n);
   if (x.sign_ < 0) return growth_bound::undefined("root");
   if (x.sign_ <= 0) return growth_bound::blocked("root");
@@ -325,24 +452,47 @@ growth_bound root(const growth_bound& x, long n) {
 /// and 0 <= k <= u_r. As e^-u u^k falls for u >= k, e^x <= e^-u <= e^-u_r u_r^k u^-k = e^-u_r r^(a
 /// k) t^(-a k), at most 1.
 growth_bound exp(const growth_bound& x) {
-  if (x.blocked_) return x.passed_on();
+  if (x.is_unknown()) return x.passed_on();
+  if (!x.blocked_) return growth_bound::of_factors("exp", {x.constant_like(rational(1)), x});
   growth_bound result = x.exponential();
-  if (!result.blocked_) {
-    result.logarithm_ = std::make_shared<const growth_bound>(x);
-  } else if (x.sign_ > 0) {  // it grows, and e^-x decays
+  if (result.blocked_ && x.sign_ > 0) {  // e^-x decays
     const growth_bound inverse = (-x).exponential();
     if (!inverse.blocked_) result.inverse_ = std::make_shared<const growth_bound>(inverse);
   }
-  return result;
+  return std::move(result).with_growing_parts();
+}
+
+/// e^h of a series h = L H_1 + H_0 with m = 0: with c = H_1(0), and H_j = t^(m_j) G_j, it is
+/// t^c e^u with u = H_0 + L (H_1 - c), of which |L| t^e <= r^(e-d)/(e d) for e >= d.
+std::optional<growth_bound> growth_bound::power_by_series() const {
+  const end_series h = series_.simplified();
+  if (h.is_blocked() || h.log_degree() != 1 || h.exponent() != 0) return std::nullopt;
+  const end_series first = h.coefficient(1);
+  const auto value = first.value_at_0();
+  if (!value && first.exponent() <= 0) return std::nullopt;
+  const known_number c = value.value_or(known_number());
+  const end_series plain = h.coefficient(0);
+  const end_series rest = (first - c).simplified();
+  const rational e = rest.exponent() - log_share();
+  if (plain.is_blocked() || rest.is_blocked() || e < 0) return std::nullopt;
+  const auto size = [](const end_series& g) {
+    return upper_end(ball(0, bits).enlarged(g.supremum(0)));
+  };
+  const ball u = upper_end(size(plain) * power_of_r(plain.exponent()) +
+                           size(rest) * power_of_r(e) * greatest_log());
+  if (!u.is_bounded()) return std::nullopt;
+  const exponent_range power = range_of(c.enclosure());
+  return made("exp", exp(u), power.lower, exp(-u), power.upper, 1, end_series::blocked("exp"));
 }
 
 growth_bound growth_bound::exponential() const {
   const growth_bound& x = *this;
   const end_series series = exp(x.series_);
-  if (x.upper_exponent_ >= 0) {
+  if (!x.blocked_ && x.upper_exponent_ >= 0) {
     const ball size = upper_end(x.most_ * x.power_of_r(x.upper_exponent_));
     return x.made("exp", exp(size), 0, exp(-size), 0, 1, series);
   }
+  if (const auto power = x.power_by_series()) return *power;
   if (x.sign_ < 0) {
     ball most(1, bits);
     rational exponent = 0;
@@ -365,7 +515,6 @@ growth_bound growth_bound::exponential() const {
 }
 
 growth_bound growth_bound::logarithm_of_size() const {
-  if (logarithm_) return *logarithm_;
   return sign_ == 0 ? blocked("log") : log(sign_ < 0 ? -*this : *this);
 }
 
@@ -373,9 +522,13 @@ growth_bound growth_bound::logarithm_of_size() const {
 /// negative, and |log x| >= |log(C r^b)|; where a < 0 and c r^a > 1 it is positive, and log x >=
 /// log(c r^a). And |log x| <= |log c| + |a| |log t|, or the same of C and b.
 growth_bound log(const growth_bound& x) {
-  if (x.blocked_) return x.passed_on();
+  if (x.is_unknown()) return x.passed_on();
   if (x.sign_ < 0) return growth_bound::undefined("log");
-  if (x.logarithm_ && x.sign_ > 0) return *x.logarithm_;
+  if (x.factors_) {
+    growth_bound logarithm = log(x.factors_->f) + x.factors_->g;
+    if (x.blocked_) return std::move(logarithm).with_growing_parts();
+    if (!logarithm.blocked_) return logarithm;
+  }
   if (x.sign_ == 0 || !certainly_positive(x.least_)) return growth_bound::blocked("log");
   const ball log_most = log(x.most_);
   const ball log_least = log(x.least_);
@@ -425,11 +578,9 @@ growth_bound growth_bound::flattening(std::string_view name, const ball& bound, 
       made(name, by_itself ? most_ : bound, by_itself ? upper_exponent_ : rational(0),
            is_near_0 ? lower_end(least_) * share : ball(0, bits),
            is_near_0 ? lower_exponent_ : rational(0), is_near_0 ? sign_ : 0, std::move(series));
-  // log |f(v)| - log |v| lies between log(f(m)/m) and 0.
-  if (logarithm_ && is_near_0 && !result.blocked_) {
-    result.keep_logarithm(*logarithm_ + bounded_like("log", hull(log(share), ball(0, bits))));
-  }
-  return result;
+  if (!factors_ || !is_near_0 || result.blocked_) return result;
+  const growth_bound quotient = bounded_like(name, hull(share, ball(1, bits)));  // f(v)/v
+  return std::move(result).with({factors_->f * quotient, factors_->g});
 }
 
 /// sin' falls up to pi.
@@ -513,13 +664,8 @@ growth_bound growth_bound::bounded_like(std::string_view name, const ball& value
 }
 
 /// For 0 < v <= 1: Gamma(v) = Gamma(1+v)/v with 1/2 < Gamma(1+v) <= 1, since log Gamma is convex, 0
-/// at 1 and at 2, and above its tangent at 1, of the slope -0.577... > -log 2.
-///
-/// For v >= u = c t^a with u_r = c r^a >= s >= 3 and 0 <= k <= s/2: Gamma grows from 2 on, so that
-/// Gamma(v) >= Gamma(u); and Gamma(u) u^-k grows for u >= s, as u digamma(u) >= u log u - 1 >= u/2
-/// >= k by digamma(u) > log u - 1/u (H. Alzer, Math. Comp. 66, 1997). So Gamma(u) >= Gamma(u_r)
-/// (u/u_r)^k >= Gamma(s) (t/r)^(a k), which bounds 1/Gamma(v). Gamma itself has no bound by a
-/// power.
+/// at 1 and at 2, and above its tangent at 1, of the slope -0.577... > -log 2. Where v grows:
+/// e^(log Gamma(v)).
 growth_bound gamma(const growth_bound& x) {
   if (x.blocked_) return x.passed_on();
   const end_series none = end_series::blocked("gamma");
@@ -528,22 +674,14 @@ growth_bound gamma(const growth_bound& x) {
     return x.made("gamma", one, 0, ball(rational(1, 2), bits), 0, 1, none) / x;
   const ball value = gamma(x.values());
   if (certainly_positive(value)) return x.bounded_like("gamma", value);
-  growth_bound result = growth_bound::blocked("gamma");
-  const ball u = x.least_value();
-  if (x.lower_exponent_ < 0 && certainly_less_equal(ball(3, bits), u)) {
-    constexpr long enough = 64;
-    const ball s = min(u, ball(enough, bits));
-    const long k = static_cast<long>(floor_of(rational(lower_rational(s) / 2)));
-    const rational exponent = -x.lower_exponent_ * k;
-    result.inverse_ = std::make_shared<const growth_bound>(
-        x.made("gamma", 1 / (gamma(lower_end(s)) * x.power_of_r(exponent)), exponent, ball(0, bits),
-               0, 1, none));
-  }
-  return result;
+  const growth_bound logarithm = log_gamma(x);
+  if (logarithm.blocked_) return growth_bound::blocked("gamma");
+  return growth_bound::of_factors("gamma", {x.constant_like(rational(1)), logarithm});
 }
 
-/// For 0 < v <= 1: -log v - 1 < log Gamma(v) <= -log v, as above. For v >= 2: 0 <= log Gamma(v) <=
-/// v log v, the integral of digamma(v) < log v from 1 on (ibid.) being at most v log v - v + 1.
+/// For 0 < v <= 1: -log v - 1 < log Gamma(v) <= -log v, as above. For v >= u > 0, log Gamma(v) =
+/// (v - 1/2) log v - v + log(2 pi)/2 + m with 0 < m < 1/(12 v) (DLMF 5.11.1 and 5.11(ii): the error
+/// is below the first term left out and has its sign).
 growth_bound log_gamma(const growth_bound& x) {
   if (x.blocked_) return x.passed_on();
   const end_series none = end_series::blocked("log_gamma");
@@ -552,11 +690,10 @@ growth_bound log_gamma(const growth_bound& x) {
     return x.made("log_gamma", one, 0, ball(0, bits), 0, 0, none) - log(x);
   const ball value = log_gamma(x.values());
   if (value.is_bounded()) return x.bounded_like("log_gamma", value);
-  if (!certainly_less_equal(ball(2, bits), x.least_value()))
-    return growth_bound::blocked("log_gamma");
-  const growth_bound product = x * log(x);
-  if (product.blocked_) return growth_bound::blocked("log_gamma");
-  return x.made("log_gamma", product.most_, product.upper_exponent_, ball(0, bits), 0, 0, none);
+  const ball u = x.least_value();
+  if (!certainly_positive(u)) return growth_bound::blocked("log_gamma");
+  const ball rest = log(2 * pi(bits)) / 2 + hull(ball(0, bits), 1 / (12 * u));
+  return (x - x.constant_like(rational(1, 2))) * log(x) - x + x.bounded_like("log_gamma", rest);
 }
 
 /// sqrt(x y) <= agm(x, y) <= (x + y)/2 for x, y >= 0. And for a constant x and y <= x/2, of which
@@ -576,11 +713,11 @@ growth_bound agm(const growth_bound& x, const growth_bound& y) {
   const growth_bound product = x * y;
   growth_bound result = x.made("agm", sum.most_ / 2, sum.upper_exponent_, sqrt(product.least_),
                                product.lower_exponent_ / 2, 1, none);
-  if (!x.constant_ || !y.logarithm_ ||
+  if (!x.constant_ || !y.factors_ ||
       !certainly_less_equal(y.greatest_value(), lower_end(*x.constant_ / 2))) {
     return result;
   }
-  const growth_bound logarithm = y.constant_like(log(2 * *x.constant_)) - *y.logarithm_;
+  const growth_bound logarithm = y.constant_like(log(2 * *x.constant_)) - y.logarithm_of_size();
   if (logarithm.blocked_) return result;
   // It is log 4 at least, and so the size of which the lower bound is.
   const ball least = 2 * logarithm.least_ / (pi(bits) * *x.constant_);
@@ -591,7 +728,11 @@ growth_bound agm(const growth_bound& x, const growth_bound& y) {
 }
 
 growth_bound abs(const growth_bound& x) {
-  if (x.blocked_) return x.passed_on();
+  if (x.is_unknown()) return x.passed_on();
+  if (x.blocked_) {
+    const auto [f, g] = x.factored();
+    return growth_bound::of_growing(x.where_, {abs(f), g});
+  }
   growth_bound result = x.sign_ < 0 ? -x : x;
   if (x.sign_ == 0) {
     result.inverse_ = nullptr;

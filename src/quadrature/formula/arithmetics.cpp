@@ -36,10 +36,16 @@ Series formula_over(const std::string& text, std::vector<std::string> names,
   return formula.evaluator<Series>(p)(std::span<const Series>(x));
 }
 
+template <class Series>
+bool is_unknown(const Series& x) {
+  return x.is_blocked();
+}
+bool is_unknown(const growth_bound& x) { return x.is_unknown(); }
+
 /// A function of size at most `bound`, which is a series in these arguments.
 template <class Series, class F>
 std::optional<Series> of_size(const F& f, const Series& bound) {
-  if (bound.is_blocked()) return std::nullopt;
+  if (is_unknown(bound)) return std::nullopt;
   constexpr precision p = 192;
   return bound * bound.bounded_like(name_of_function(f), hull(ball(-1, p), ball(1, p)));
 }
@@ -375,7 +381,7 @@ struct supplement<growth_bound> {
     std::vector<ball> values;
     values.reserve(x.size());
     for (const growth_bound& v : x) {
-      if (v.is_blocked())
+      if (v.is_unknown())
         return v.is_nowhere_defined() ? v : growth_bound::blocked(name_of_function(f));
       values.push_back(v.values());
     }

@@ -33,8 +33,8 @@ growth_bound argument(const pi_combination& p, const rational& s, long q) {
   return growth_bound::argument(known_number(p), known_number(s), q, 0.25);
 }
 
-/// |f| >= c t^a with c > 0.
-bool has_no_zero(const growth_bound& f) { return !f.is_blocked() && !f.least_factor().is_zero(); }
+/// |f| >= c t^a with c > 0, and f is defined.
+bool has_no_zero(const growth_bound& f) { return !f.is_unknown() && !f.least_factor().is_zero(); }
 
 /// x = p - log(t) with p = from - 3/2, or -x for from < 0, which takes all values beyond `from`: it
 /// decreases to p + log(4) < |from| at t = 1/4. There exp(x) is exp(p)/t, so that sums of

@@ -110,6 +110,7 @@ std::optional<end_plan> plan_from_growth(const integrand& f, const end_of_range&
     plan.r = r;
     plan.bounds = {g.factor()};
     plan.has_growth_only = true;
+    plan.has_growing_parts = g.has_growing_parts();
     if (diverges) return plan;
     constexpr double wanted_bits = 128;
     const double factor = g.factor().is_zero() ? 0 : static_cast<double>(g.factor().log2_floor());
@@ -176,7 +177,8 @@ end_plan look_at_end(const integrand& f, const end_of_range& end) {
     // Beside another point regions of 1 - x, say, are found by halving alone, in many panels.
     const bool is_at_0 = end.at.exact() && *end.at.exact() == 0;
     if (end.infinite || is_at_0) {
-      if (const auto plan = plan_from_growth(f, end)) return *plan;
+      const auto plan = plan_from_growth(f, end);
+      if (plan && !plan->has_growing_parts) return *plan;
     }
   }
   return best;

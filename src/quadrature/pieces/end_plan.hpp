@@ -52,6 +52,8 @@ struct end_plan {
   /// There is no series: |F(t)| <= t^M bounds[0] for 0 < t <= r, and nothing is known off the real
   /// line.
   bool has_growth_only = false;
+  /// As growth_bound::has_growing_parts: a last resort.
+  bool has_growing_parts = false;
   std::string obstacle;
 };
 

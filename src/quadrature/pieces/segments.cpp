@@ -257,9 +257,16 @@ bool is_followed_to_end(const integrand& f, const end_of_range& end, const end_p
   if (!(depth < deepest)) return false;
   const ball size =
       scale(ball::exactly(start_of_exponential(plan)) * ball(1, p), -static_cast<long>(depth));
-  const ball side = size * hull(ball(rational(-1, 8), p), ball(rational(1, 8), p));
-  const region t = region::in_balls({size + side, side});
-  return f.over(end.at.at(p) + end.distance.at(p) * t).is_analytic();
+  const ball side = size * scale(hull(ball(-1, p), ball(1, p)), plan.has_growing_parts ? -16 : -3);
+  const complex_ball around{size + side, side};
+  const region t = plan.has_growing_parts ? region(around) : region::in_balls(around);
+  const region values = f.over(end.at.at(p) + end.distance.at(p) * pow(t, plan.q));
+  if (!values.is_analytic() || !plan.has_growing_parts) return values.is_analytic();
+  // Where parts are huge, values over regions are of the size of f in narrow regions alone.
+  constexpr long slack = 64;
+  const ball bound =
+      ball(0, 64).enlarged(plan.bounds.front()) * pow(size, ball(plan.exponent - plan.q + 1, 64));
+  return values.magnitude_upper() <= scale(bound, slack).magnitude_upper();
 }
 
 /// An end that is singular, but integrable: from t = 1 to r0 without the exponential, and from
@@ -358,7 +365,8 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
   if (add_decaying_part(result, f, end, direction, bits)) return;
   if (add_oscillating_part(result, f, end, direction, place, bits)) return;
   if (add_in_exponential(result, f, end, direction, place, bits)) return;
-  if (const auto by_growth = end.infinite ? std::nullopt : plan_from_growth(f, end)) {
+  const auto by_growth = plan_from_growth(f, end);
+  if (by_growth) {
     if (by_growth->how == manner::divergent) {
       result.why = reason::not_integrable;
       result.obstacle = "the integrand grows too fast at " + place;
@@ -372,8 +380,9 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
   if (end.infinite) {
     const bool diverges = is_divergent_tail(f, end);
     result.why = diverges ? reason::not_integrable : reason::not_analytic;
-    result.obstacle = diverges ? "the integral diverges at infinity"
-                               : "no proof of decay at infinity (" + plan.obstacle + ")";
+    result.obstacle = diverges    ? "the integral diverges at infinity"
+                      : by_growth ? "parts of the integrand overflow before its tail is small"
+                                  : "no proof of decay at infinity (" + plan.obstacle + ")";
     return;
   }
   add_segment(result, affine_segment(f, end.at, end.start), end, end.end, end.start, direction);
