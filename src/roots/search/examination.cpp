@@ -623,8 +623,23 @@ class examination {
     const ball point = at.at(b.bits + 64);
     const rational above = upper_rational(ball(*whole.upper, b.bits + 64) - point);
     const rational below = lower_rational(ball(*whole.lower, b.bits + 64) - point);
-    return above > 0 && below < 0 && f.has_no_root_beside(at, above) &&
-           f.has_no_root_beside(at, below);
+    if (!(above > 0 && below < 0)) return false;
+    // A proof takes long, and there is none where f changes its sign.
+    if (has_two_signs(f, point, above) || has_two_signs(f, point, below)) return false;
+    return f.has_no_root_beside(at, above) && f.has_no_root_beside(at, below);
+  }
+  /// f has values of both signs among a few between the point and point + width.
+  static bool has_two_signs(const real_function& f, const ball& point, const rational& width) {
+    const precision p = point.precision();
+    const auto evaluator = f.at(p);
+    bool has_positive = false;
+    bool has_negative = false;
+    for (const long halvings : {0L, 1L, 2L, 4L, 8L, 16L}) {
+      const ball value = evaluator->value(point + scale(ball(width, p), -halvings));
+      has_positive = has_positive || certainly_positive(value);
+      has_negative = has_negative || certainly_negative(value);
+    }
+    return has_positive && has_negative;
   }
 
   // -------------------------------------------------------------------------------------------
