@@ -118,29 +118,6 @@ std::vector<expression> expression::constants(std::size_t most) const {
   return result;
 }
 
-std::vector<expression> expression::summands() const {
-  detail::graph g = *graph_;
-  std::vector<std::pair<node_id, bool>> rest{{g.root, false}};  // whether it is subtracted
-  std::vector<node_id> found;
-  while (!rest.empty()) {
-    const auto [i, is_negative] = rest.back();
-    rest.pop_back();
-    const detail::node n = g[i];
-    if (n.what == operation::add || n.what == operation::subtract) {
-      rest.emplace_back(n.right, is_negative != (n.what == operation::subtract));
-      rest.emplace_back(n.left, is_negative);
-    } else if (n.what == operation::negate) {
-      rest.emplace_back(n.left, !is_negative);
-    } else {
-      found.push_back(is_negative ? detail::negate(g, i) : i);
-    }
-  }
-  std::vector<expression> result;
-  result.reserve(found.size());
-  for (const node_id i : found) result.push_back(with_root(g, i));
-  return result;
-}
-
 expression_names expression::names() const { return {variables_, {}, graph_->further()}; }
 
 ball expression::value(precision p) const {

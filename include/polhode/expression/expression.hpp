@@ -333,9 +333,6 @@ class expression {
   /// it is defined. None for others, and long ones.
   struct steady_factor;
   [[nodiscard]] std::optional<steady_factor> by_steady_factor() const;
-  /// What the formula is the sum of: "x^x", "-x^2" and "-1" of "x^x - x^2 - 1"; itself where it is
-  /// no sum.
-  [[nodiscard]] std::vector<expression> summands() const;
   /// The same function wherever both are defined, with divisors that seem to grow exponentially for
   /// x -> inf written by exponentials that decay: "1/sinh(x)" is "2*exp(-x)/(1 - exp(-2*x))". None
   /// where there are no such divisors, and of long formulas.

@@ -86,15 +86,6 @@ std::optional<expression> in_logarithm(const expression& f, int side) {
   }
 }
 
-/// 1/f by exponentials that decay; nothing where that is not available.
-std::optional<expression> reciprocal_by_decay(const expression& f) {
-  try {
-    return expression(1 / f(symbol::variable(0)), f.names()).with_decaying_exponentials();
-  } catch (const input_error&) {
-    return std::nullopt;  // it has no value anywhere
-  }
-}
-
 }  // namespace
 }  // namespace zero_free_ends_impl
 
@@ -203,68 +194,14 @@ bool is_wave_away_from_zero(const expression& f, const rational& from) {
 }  // namespace
 }  // namespace zero_free_ends_impl
 
-namespace zero_free_ends_impl {
-namespace {
-
-/// f has no zero at x >= from, or x <= from where from is negative: by its values, its growth, or
-/// that of 1/f, which has a bound there and is defined.
-bool is_nonzero_beyond(const expression& f, const rational& from) {
-  if (sign_over(f, all_beyond(from)) != 0 || has_no_zero(growth_beyond(f, from))) return true;
-  const expression reciprocal(1 / f(symbol::variable(0)), f.names());
-  return !growth_beyond(reciprocal, from).is_blocked();
-}
-
-/// The sum of |g/a| over the others is below 1 at all x >= from, or x <= from where from is
-/// negative, and a is not 0 there: a quotient in which a factor of both is cancelled would not show
-/// that.
-bool outgrows(const expression& a, const std::vector<expression>& others, const rational& from) {
-  constexpr precision p = 64;
-  if (!is_nonzero_beyond(a, from)) return false;
-  ball sum(0, p);
-  const symbol x = symbol::variable(0);
-  for (const expression& g : others) {
-    const growth_bound quotient = growth_beyond(expression(g(x) / a(x), a.names()), from);
-    if (quotient.is_blocked()) return false;
-    sum += abs(quotient.values());
-    if (!certainly_less(sum, ball(1, p))) return false;  // it may be undefined
-  }
-  return true;
-}
-
-/// f = A (1 + sum of B/A) with one of its summands A, which outgrows the others B: f is not 0
-/// beyond `from`, and has the sign of A. Returns that sign, or 0 where it is not known; nothing
-/// where no summand is proved to be so.
-std::optional<int> sign_of_greatest_summand(const expression& f, const rational& from) {
-  constexpr std::size_t most = 8;
-  const std::vector<expression> all = f.summands();
-  if (f.variables().size() != 1 || all.size() < 2 || all.size() > most) return std::nullopt;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    std::vector<expression> others = all;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-    try {
-      if (outgrows(all[i], others, from)) return sign_over(all[i], all_beyond(from));
-    } catch (const input_error&) {  // a quotient has no value anywhere
-    }
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-}  // namespace zero_free_ends_impl
-
 bool zero_free_ends::beyond(const rational& from) const {
   const expression& f = formula_->f;
   if (has_no_zero(growth_beyond(f, from)) || has_no_zero(growth(f, far(from))) ||
       tail_beyond(f, from).sign() != 0) {
     return true;
   }
-  if (sign_of_greatest_summand(f, from)) return true;
   const auto in_s = in_logarithm(f, from);
-  if (in_s && has_no_zero(growth_beyond(in_s->f, in_s->from))) return true;
-  // Where 1/f has values, f is not 0.
-  const auto reciprocal =
-      from > 0 && f.variables().size() == 1 ? reciprocal_by_decay(f) : std::nullopt;
-  return reciprocal && !growth_beyond(*reciprocal, from).is_blocked();
+  return in_s && has_no_zero(growth_beyond(in_s->f, in_s->from));
 }
 
 bool zero_free_ends::diverges_beyond(const rational& from) const {
@@ -280,7 +217,6 @@ int zero_free_ends::sign_beyond(const rational& from) const {
   const expression& f = formula_->f;
   if (const int sign = sign_over(f, all_beyond(from)); sign != 0) return sign;
   if (const int sign = sign_by_growth(f, from); sign != 0) return sign;
-  if (const auto sign = sign_of_greatest_summand(f, from); sign && *sign != 0) return *sign;
   const auto in_s = in_logarithm(f, from);
   return in_s ? sign_by_growth(in_s->f, in_s->from) : 0;
 }
