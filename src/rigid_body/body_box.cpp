@@ -115,6 +115,15 @@ ball body_box::full_turn(long digits) const {
   return between(full_turn_to_digits(least_, digits), full_turn_to_digits(greatest_, digits));
 }
 
+body_box::meeting_range body_box::meeting(const integer& m, long digits) const {
+  const polhode::meeting first = meeting_to_digits(least_, m, digits);
+  const polhode::meeting last = meeting_to_digits(greatest_, m, digits);
+  if (first.verdict != status::certified || last.verdict != status::certified) {
+    return {ball::undefined(64), ball::undefined(64)};
+  }
+  return {hull(first.c, last.c), hull(first.epsilon, last.epsilon)};
+}
+
 template <class Value>
 ball body_box::of_motions(const rational_range& c, const Value& value) const {
   if (c.low > 0) {

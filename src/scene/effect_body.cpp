@@ -100,6 +100,10 @@ effect_result full_turn(const effect_context& x) {
   return result;
 }
 
+std::string meeting_name(const integer& m) {
+  return (m % 2 != 0 ? "intersection_" : "crossing_") + integer((m + 1) / 2).str();
+}
+
 effect_result intersections(const effect_context& x) {
   effect_result result;
   const body& rigid = x.rigid();
@@ -115,10 +119,9 @@ effect_result intersections(const effect_context& x) {
                                 to_text(one.why) + ")");
       return result;
     }
-    const bool meets = m % 2 != 0;
-    const std::string which = (meets ? "intersection_" : "crossing_") + integer((m + 1) / 2).str();
+    const std::string which = meeting_name(m);
     add(result, which + "_c", one.c);
-    if (meets) add(result, which + "_epsilon", one.epsilon, "rad");
+    if (m % 2 != 0) add(result, which + "_epsilon", one.epsilon, "rad");
   }
   if (listed < all)
     result.remarks.push_back("and " + integer(all - listed).str() +

@@ -34,6 +34,8 @@ struct effect_context {
 
 void add(effect_result& to, const std::string& name, const ball& value,
          const std::string& unit = "");
+/// "intersection_2", "crossing_1": the m-th meeting, from m = 1 on.
+[[nodiscard]] std::string meeting_name(const integer& m);
 void add_exact(effect_result& to, const std::string& name, const rational& value,
                const std::string& unit = "");
 /// As the rational number that it is, or to so many digits.

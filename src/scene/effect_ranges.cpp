@@ -13,6 +13,7 @@
 #include "polhode/rigid_body/jacobi_start.hpp"
 #include "polhode/rigid_body/tennis_racket.hpp"
 #include "scene/effect_context.hpp"
+#include "scene/sensitivity.hpp"
 
 namespace polhode::detail {
 namespace {
@@ -188,6 +189,18 @@ class ranges_of_effect {
   void intersections() {
     count("count", intersection_count);
     count("crossings", crossing_count);
+    const integer of_all = meeting_count(at(false, true, true));
+    const integer listed = std::min(meeting_count(x_.rigid()), integer(x_.what.listed));
+    if (listed > of_all) to_.remarks.emplace_back("not all bodies have those without a range");
+    for (integer m = 1; m <= std::min(listed, of_all); ++m) {
+      const std::string which = meeting_name(m);
+      add(which + "_c",
+          of_bodies([&](const body_box& box) { return box.meeting(m, x_.digits()).c; }));
+      if (m % 2 == 0) continue;
+      add(which + "_epsilon",
+          of_bodies([&](const body_box& box) { return box.meeting(m, x_.digits()).epsilon; }),
+          "rad");
+    }
   }
 
   void tennis_racket() {
@@ -281,17 +294,53 @@ class ranges_of_effect {
         [&](const body_box& box, const rational_range& c) { return box.twist(c, x_.digits()); });
   }
 
-  /// I_y/(|J| sqrt(a b)) of every body. The derivatives have no range.
+  /// I_y/(|J| sqrt(a b)) of every body, and the derivatives over cells.
   void sensitivity() {
     const ball time = of_motions(fine, [&](const motions& m) {
       const ball growth2 = in_range(m.box.a(), bits()) * in_range(m.box.b(), bits());
       return unit_of_time(x_, m.cell, bits()) / sqrt(growth2);
     });
     add("e_folding_time_at_middle_axis", time, x_.what.time_unit.name);
+    if (!has_motions() || is_given_separatrix()) return;
+    const std::vector<effect_number> all = derivatives();
+    for (const effect_number& n : all) add(n.name, n.enclosure, n.unit);
+    if (all.empty()) {
+      not_certified(
+          to_,
+          "the ranges of the derivatives were not enclosed: the separatrix may lie within "
+          "the uncertainties");
+    }
   }
 
  private:
   struct motions;
+
+  /// Each of all motions; none where some rotate and others oscillate.
+  [[nodiscard]] std::vector<effect_number> derivatives() const {
+    const precision p = bits();
+    const bool has_j = x_.what.state->momentum.has_value();
+    std::vector<effect_number> all;
+    for (const moment_ranges& cell : cells_of(whole_, {has_j, true, has_j}, fine)) {
+      const body_box box = body_box::of_moments(cell);
+      const rational_range range = c_of(x_, cell);
+      const ball c = intersection(in_range(range, p), in_range({-box.b().high, box.a().high}, p));
+      if (!certainly_positive(c) && !certainly_negative(c)) return {};
+      sensitivity_point<ball> point{
+          in_range(box.a(), p), in_range(box.b(), p), c, certainly_positive(c), {}};
+      if (has_j) {
+        const auto balls = [&](const triple<rational_range>& x) -> triple<ball> {
+          return {in_range(x[0], p), in_range(x[1], p), in_range(x[2], p)};
+        };
+        point.vectors = {balls(cell), balls(direction_squares(cell))};
+      }
+      const std::vector<effect_number> part = derivatives_at(point, p);
+      if (all.empty()) all = part;
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        all[i].enclosure = hull(all[i].enclosure, part[i].enclosure);
+      }
+    }
+    return all;
+  }
 
   /// Beside each row of the table the range over those bodies that have the motion c; undefined
   /// where it is not enclosed.

@@ -6,10 +6,10 @@
 #include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/elliptic/carlson.hpp"
-#include "polhode/elliptic/complete.hpp"
 #include "polhode/rigid_body/half_phase.hpp"
 #include "scene/effect_context.hpp"
 #include "scene/motion.hpp"
+#include "scene/sensitivity.hpp"
 
 namespace polhode::detail {
 namespace {
@@ -33,34 +33,39 @@ struct slopes {
 /// over a period, |J| = 1. With B = the integral of cn^2 over a quarter in u, the integral of J_x^2
 /// is 4 A^2 B/lambda where the body rotates and that of J_z^2 is 4 C^2 B/lambda where it
 /// oscillates, A^2 = (a-c)/(a+b), C^2 = (b+c)/(a+b); the other one follows from a J_z^2 - b J_x^2 =
-/// c, with two terms of one sign.
+/// c, with two terms of one sign. B = m1 R_D(0,1,m1)/3 (DLMF 19.25.1).
 struct derivatives {
   ball period;
   slopes of_period;
   slopes of_phase;
 };
 
-derivatives derivatives_at(const motion& of, precision p) {
-  const exact_real& a = of.a();
-  const exact_real& b = of.b();
-  const exact_real& c = of.c();
-  const exact_real total = a + b;
-  const exact_real x_end = b + c;
-  const exact_real z_end = a - c;
-  const bool rotating = of.regime() == regime::rotating;
-  const exact_real l = of.lambda2();
-  const exact_real m1 = of.m1();
-  const std::array<exact_real, 3> greatest = of.greatest_squares();
+ball at(const exact_real& x, precision p) { return x.at(p); }
+ball at(const ball& x, precision /*p*/) { return x; }
+
+/// Number: exact_real, or ball for all motions whose a, b and c are in balls.
+template <class Number>
+derivatives derivatives_of(const sensitivity_point<Number>& of, precision p) {
+  const Number& a = of.a;
+  const Number& b = of.b;
+  const Number& c = of.c;
+  const Number total = a + b;
+  const Number x_end = b + c;
+  const Number z_end = a - c;
+  const bool rotating = of.rotating;
+  // With each of a, b and c as seldom as can be, for ranges: share is |c|/(b + c) or |c|/(a - c).
+  const Number l = rotating ? a * x_end : b * z_end;
+  const Number share = rotating ? 1 / (1 + b / c) : 1 / (1 - a / c);
+  const Number m1 = share * (1 + (rotating ? b / a : a / b));
   // In a, b, c.
-  const triple<exact_real> dl =
-      rotating ? triple<exact_real>{x_end, a, a} : triple<exact_real>{b, z_end, -b};
-  const triple<exact_real> dm1 =
-      rotating ? triple<exact_real>{-c * b / (x_end * a * a), -c * z_end / (a * x_end * x_end),
-                                    total * b / (a * x_end * x_end)}
-               : triple<exact_real>{c * x_end / (b * z_end * z_end), c * a / (b * b * z_end),
-                                    -total * a / (b * z_end * z_end)};
-  const ball lambda = sqrt(l.at(p));
-  const ball y = m1.at(p);
+  const triple<Number> dl = rotating ? triple<Number>{x_end, a, a} : triple<Number>{b, z_end, -b};
+  const triple<Number> dm1 =
+      rotating ? triple<Number>{-share * b / (a * a), -share * (1 - c / a) / x_end,
+                                (1 + b / a) * b / (x_end * x_end)}
+               : triple<Number>{-share * (1 + c / b) / z_end, -share * a / (b * b),
+                                -(1 + a / b) * a / (z_end * z_end)};
+  const ball lambda = sqrt(at(l, p));
+  const ball y = at(m1, p);
   const ball rf = carlson_rf(ball(0, p), y, ball(1, p));
   const ball rd = carlson_rd(ball(0, p), ball(1, p), y);
   const auto slope = [&](std::size_t q) {
@@ -69,17 +74,17 @@ derivatives derivatives_at(const motion& of, precision p) {
   derivatives result;
   result.period = 4 * rf / lambda;
   result.of_period = {slope(0), slope(1), slope(2)};
-  const ball quarter = complete_legendre((1 - m1).at(p), y).b;
+  const ball quarter = y * rd / 3;
   ball x2;
   ball z2;
   if (rotating) {
-    x2 = 4 * greatest[0] * quarter / lambda;
+    x2 = 4 * (z_end / total) * quarter / lambda;
     z2 = (c * result.period + b * x2) / a;
   } else {
-    z2 = 4 * greatest[2] * quarter / lambda;
+    z2 = 4 * (x_end / total) * quarter / lambda;
     x2 = (a * z2 - c * result.period) / b;
   }
-  const exact_real factor = 1 + c;
+  const Number factor = 1 + c;
   result.of_phase = {factor * result.of_period.a + scale(z2, -1),
                      factor * result.of_period.b - scale(x2, -1),
                      factor * result.of_period.c + scale(result.period, -1)};
@@ -91,31 +96,6 @@ bool has_digits(const ball& x, long digits) {
   return to_decimal_enclosure(x, digits).has(digits);
 }
 
-/// d log T/d log I for the moments I_x, I_y, I_z at fixed angular momentum vector; T is T I_y/J in
-/// time, and c = I_y (J_x^2/I_x + J_y^2/I_y + J_z^2/I_z)/J^2 - 1. Then d phase/d log I.
-struct by_moments {
-  std::array<ball, 3> of_period;
-  std::array<ball, 3> of_phase;
-};
-by_moments by_moments_of(const effect_context& x, const derivatives& d) {
-  const triple<exact_real>& m = x.what.body.moments();
-  const triple<exact_real>& j = x.start().direction_squares();
-  // I da/dI, I db/dI, I dc/dI.
-  const std::array<triple<exact_real>, 3> chain{
-      {{0, m[1] / m[0], -m[1] * j[0] / m[0]},
-       {m[1] / m[2], -m[1] / m[0], m[1] * (j[0] / m[0] + j[2] / m[2])},
-       {-m[1] / m[2], 0, -m[1] * j[2] / m[2]}}};
-  by_moments result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto along = [&](const slopes& s) {
-      return chain[i][0] * s.a + chain[i][1] * s.b + chain[i][2] * s.c;
-    };
-    result.of_period[i] = along(d.of_period) / d.period + (i == 1 ? 1 : 0);
-    result.of_phase[i] = along(d.of_phase);
-  }
-  return result;
-}
-
 /// Guard bits: small differences of a, b and c cost some.
 precision most_guard_of(const effect_context& x) {
   const precision sizes =
@@ -123,6 +103,56 @@ precision most_guard_of(const effect_context& x) {
   return ample_guard(x.digits()) + std::min(8 * sizes, greatest_guard);
 }
 
+}  // namespace
+
+/// By moments it is d log T/d log I for I_x, I_y, I_z at fixed angular momentum vector, where T is
+/// T I_y/J in time and c = I_y (J_x^2/I_x + J_y^2/I_y + J_z^2/I_z)/J^2 - 1; and d phase/d log I.
+template <class Number>
+std::vector<effect_number> derivatives_at(const sensitivity_point<Number>& of, precision p) {
+  const derivatives d = derivatives_of(of, p);
+  std::vector<effect_number> result;
+  const auto put = [&](const std::string& name, const ball& x, const std::string& unit = "") {
+    result.push_back({name, x, {}, unit});
+  };
+  put("dT_da", d.of_period.a, "I_y/J");
+  put("dT_db", d.of_period.b, "I_y/J");
+  put("dT_dc", d.of_period.c, "I_y/J");
+  put("dphase_da", d.of_phase.a, "rad");
+  put("dphase_db", d.of_phase.b, "rad");
+  put("dphase_dc", d.of_phase.c, "rad");
+  if (!of.vectors) return result;
+  const triple<Number>& m = of.vectors->moments;
+  const triple<Number>& j = of.vectors->direction_squares;
+  // I da/dI, I db/dI, I dc/dI.
+  const Number none = 0 * m[0];
+  const std::array<triple<Number>, 3> chain{
+      {{none, m[1] / m[0], -m[1] * j[0] / m[0]},
+       {m[1] / m[2], -m[1] / m[0], m[1] * (j[0] / m[0] + j[2] / m[2])},
+       {-m[1] / m[2], none, -m[1] * j[2] / m[2]}}};
+  const auto along = [&](const slopes& s, std::size_t i) {
+    return chain[i][0] * s.a + chain[i][1] * s.b + chain[i][2] * s.c;
+  };
+  const std::array<const char*, 3> axis{"x", "y", "z"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    put(std::string("dlogT_dlogI") + axis[i], along(d.of_period, i) / d.period + (i == 1 ? 1 : 0));
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    put(std::string("dphase_dlogI") + axis[i], along(d.of_phase, i), "rad");
+  }
+  return result;
+}
+template std::vector<effect_number> derivatives_at(const sensitivity_point<ball>& of, precision p);
+
+namespace {
+/// The scene's own motion.
+sensitivity_point<exact_real> point_of(const effect_context& x) {
+  const motion& of = x.motion();
+  sensitivity_point<exact_real> result{of.a(), of.b(), of.c(), of.regime() == regime::rotating, {}};
+  if (x.what.state->momentum) {
+    result.vectors = {x.what.body.moments(), x.start().direction_squares()};
+  }
+  return result;
+}
 }  // namespace
 
 effect_result sensitivity(const effect_context& x) {
@@ -139,29 +169,15 @@ effect_result sensitivity(const effect_context& x) {
     return result;
   }
   const precision most = most_guard_of(x);
-  const std::array<const char*, 3> axis{"x", "y", "z"};
+  const sensitivity_point<exact_real> point = point_of(x);
   for (precision guard = 64;; guard *= 2) {
-    const derivatives d = derivatives_at(x.motion(), bits_for_digits(digits) + guard);
-    result.work.integrals += 3;
-    effect_result found;
-    add(found, "dT_da", d.of_period.a, "I_y/J");
-    add(found, "dT_db", d.of_period.b, "I_y/J");
-    add(found, "dT_dc", d.of_period.c, "I_y/J");
-    add(found, "dphase_da", d.of_phase.a, "rad");
-    add(found, "dphase_db", d.of_phase.b, "rad");
-    add(found, "dphase_dc", d.of_phase.c, "rad");
-    if (x.what.state->momentum) {
-      const by_moments m = by_moments_of(x, d);
-      for (std::size_t i = 0; i < 3; ++i)
-        add(found, std::string("dlogT_dlogI") + axis[i], m.of_period[i]);
-      for (std::size_t i = 0; i < 3; ++i)
-        add(found, std::string("dphase_dlogI") + axis[i], m.of_phase[i], "rad");
-    }
-    const bool enough =
-        std::all_of(found.numbers.begin(), found.numbers.end(),
-                    [&](const effect_number& n) { return has_digits(n.enclosure, digits); });
+    const std::vector<effect_number> found = derivatives_at(point, bits_for_digits(digits) + guard);
+    result.work.integrals += 2;
+    const bool enough = std::all_of(found.begin(), found.end(), [&](const effect_number& n) {
+      return has_digits(n.enclosure, digits);
+    });
     if (!enough && guard < most) continue;
-    result.numbers.insert(result.numbers.end(), found.numbers.begin(), found.numbers.end());
+    for (const effect_number& n : found) add(result, n.name, n.enclosure, n.unit);
     return result;
   }
 }
@@ -170,7 +186,7 @@ namespace {
 /// Two routes to the phase's slope: the identity, and the integral differentiated (half_phase.hpp).
 ball difference_of_slopes(const effect_context& x, precision p) {
   const motion& of = x.motion();
-  const ball by_identity = derivatives_at(of, p).of_phase.c;
+  const ball by_identity = derivatives_of(point_of(x), p).of_phase.c;
   const exact_real u = of.turning_point();
   const ball direct =
       of.regime() == regime::rotating

@@ -96,6 +96,7 @@ TEST(BodyBox, IsDecidedUnlessItsCornersDiffer) {
 TEST(BodyBox, RangesHoldTheNumbersOfEveryMember) {
   random_source random(412);
   constexpr long digits = 20;
+  int meetings = 0;
   for (repeat trial(60); trial.again();) {
     const body_box box = any_box(random);
     const ball epsilon0 = box.separatrix_defect(digits);
@@ -104,6 +105,10 @@ TEST(BodyBox, RangesHoldTheNumbersOfEveryMember) {
     ASSERT_TRUE(epsilon0.is_bounded());
     EXPECT_EQ(c0.is_bounded(), box.has_perfect_twist() == true);
     EXPECT_EQ(turn.is_bounded(), box.has_full_turn() == true);
+    const integer m = random.between(1, 3);
+    const body_box::meeting_range met = box.meeting(m, digits);
+    EXPECT_EQ(met.c.is_bounded(), m <= meeting_count(box.greatest()));
+    meetings += met.c.is_bounded() ? 1 : 0;
     for (int k = 0; k < 3; ++k) {
       const body rigid = member(random, box);
       EXPECT_TRUE(overlaps(epsilon0, separatrix_defect_to_digits(rigid, 30).enclosure));
@@ -113,8 +118,14 @@ TEST(BodyBox, RangesHoldTheNumbersOfEveryMember) {
       if (turn.is_bounded()) {
         EXPECT_TRUE(overlaps(turn, full_turn_to_digits(rigid, 30).enclosure));
       }
+      if (met.c.is_bounded()) {
+        const meeting one = meeting_to_digits(rigid, m, 30);
+        EXPECT_TRUE(overlaps(met.c, one.c));
+        EXPECT_TRUE(m % 2 == 0 || overlaps(met.epsilon, one.epsilon));
+      }
     }
   }
+  EXPECT_GT(meetings, 5 * support::effort());
 }
 
 TEST(BodyBox, RangesHoldTheNumbersOfEveryMotion) {

@@ -15,6 +15,8 @@
 //   F(0,u)                        a, b, u       the range shrinks with u
 //   epsilon0: F(0, sin^2) = 2 pi  a, b          F decreases in u, too
 //   c0: F(c0,0) = 2 pi            a, b          F decreases in c, too; so of the full turn
+//   |c_m|, u_m: G(u_m) = 2 pi/m   a, b          G(u) = F(c,-c/b), c = -b u, decreases in |c|, and
+//                                               at one u in b, as |c| grows with b
 //   F(c,-c/b), c < 0              a, b, |c|     with y = -c (1-s) + b s it is the integral of
 //                                               (1-y)/sqrt(y (a+y) s (1-s)) over 0 < s < 1
 //   I = (1-b)/sqrt(b (a+b))       a, b
@@ -43,6 +45,7 @@
 #include <optional>
 
 #include "polhode/rigid_body/montgomery_phase.hpp"
+#include "polhode/rigid_body/tennis_racket.hpp"
 
 namespace polhode {
 
@@ -82,6 +85,12 @@ class body_box {
   [[nodiscard]] ball separatrix_defect(long digits) const;
   [[nodiscard]] ball perfect_twist(long digits) const;
   [[nodiscard]] ball full_turn(long digits) const;
+  /// c and epsilon of the m-th meeting, as meeting_to_digits has them; epsilon is undefined where m
+  /// is even. Throws input_error for m < 1.
+  struct meeting_range {
+    ball c, epsilon;
+  };
+  [[nodiscard]] meeting_range meeting(const integer& m, long digits) const;
 
   // Of all motions with c in a range too. Numbers c outside -b .. a are no motions, and are passed
   // over; undefined where the range has 0 in it, or no motion.
