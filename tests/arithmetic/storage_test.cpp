@@ -31,6 +31,11 @@ constexpr std::array<precision, 14> sizes = {2,   64,  65,  128,  192,  255,   2
 static_assert(std::is_nothrow_move_constructible_v<ball>);
 static_assert(std::is_nothrow_move_assignable_v<ball>);
 static_assert(!std::is_constructible_v<ball, double, precision>);
+template <class T>
+concept takes_zero_alone = requires {
+  T(0);
+};
+static_assert(!takes_zero_alone<ball>);
 static_assert(!std::is_constructible_v<ball, float, precision>);
 static_assert(!std::is_constructible_v<ball, bool, precision>);
 static_assert(!std::is_convertible_v<double, ball>);

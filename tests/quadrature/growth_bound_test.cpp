@@ -312,7 +312,10 @@ TEST(GrowthBound, HoldsQuotientsOfWhatGrows) {
                              "1/x-log(x)/8",
                              "airyAi(1/x)*airyBi(1/x)",
                              "besselK(0,1/x)*besselI(1,1/x)/x",
-                             "lambertW(1/x)*sqrt(x)"}) {
+                             "lambertW(1/x)*sqrt(x)",
+                             "abs(cos(log(x))*exp(-1/x))*exp(1/x)",
+                             "abs(sin(log(x))*gamma(1/x))/gamma(1/x)",
+                             "abs(-exp(-1/x))+exp(-1/x)"}) {
       expect_few_bounds(text, r);
     }
     for (const char* text :

@@ -121,6 +121,9 @@ class ball {
   /// A double is a decimal only by accident: "0.1" is a text to be parsed (exact.hpp).
   template <std::floating_point N>
   ball(N, precision) = delete;
+  /// A number needs a precision, ball(0, 64): 0 alone would be a null pointer to an mpfr_t.
+  template <std::integral N>
+  explicit ball(N) = delete;
 
   /// The exact value of a double, as a number of 53 bits or more.
   static ball exactly(double x, precision p = 53);

@@ -198,7 +198,9 @@ growth_bound growth_bound::reciprocal_of(const growth_bound& y) {
 }
 
 growth_bound::factors growth_bound::factored() const {
-  return factors_ ? *factors_ : factors{*this, constant_like(rational(0))};
+  factors v = factors_ ? *factors_ : factors{*this, constant_like(rational(0))};
+  v.f.oscillates_ = v.f.oscillates_ || oscillates_;
+  return v;
 }
 
 growth_bound growth_bound::with(const factors& v) && {
@@ -472,7 +474,7 @@ std::optional<growth_bound> growth_bound::power_by_series() const {
   if (!value && first.exponent() <= 0) return std::nullopt;
   const known_number c = value.value_or(known_number());
   const end_series plain = h.coefficient(0);
-  const end_series rest = (first - c).simplified();
+  const end_series rest = value ? (first - c).simplified() : first;
   const rational e = rest.exponent() - log_share();
   if (plain.is_blocked() || rest.is_blocked() || e < 0) return std::nullopt;
   const auto size = [](const end_series& g) {
@@ -729,17 +731,16 @@ growth_bound agm(const growth_bound& x, const growth_bound& y) {
 
 growth_bound abs(const growth_bound& x) {
   if (x.is_unknown()) return x.passed_on();
-  if (x.blocked_) {
-    const auto [f, g] = x.factored();
-    return growth_bound::of_growing(x.where_, {abs(f), g});
-  }
-  growth_bound result = x.sign_ < 0 ? -x : x;
-  if (x.sign_ == 0) {
-    result.inverse_ = nullptr;
-    result.series_ = end_series::blocked("abs");
-    result.sign_ = certainly_positive(x.least_) ? 1 : 0;
-    if (x.constant_) result.constant_ = abs(*x.constant_);
-  }
+  if (x.sign_ != 0) return x.sign_ < 0 ? -x : x;
+  const auto [f, g] = x.factored();
+  if (x.blocked_) return growth_bound::of_growing(x.where_, {abs(f), g});
+  growth_bound result = x;
+  result.factors_ = nullptr;
+  if (x.factors_) result = std::move(result).with({abs(f), g});
+  result.inverse_ = nullptr;
+  result.series_ = end_series::blocked("abs");
+  result.sign_ = certainly_positive(x.least_) ? 1 : 0;
+  if (x.constant_) result.constant_ = abs(*x.constant_);
   return result;
 }
 
