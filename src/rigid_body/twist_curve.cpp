@@ -337,7 +337,7 @@ twist twist_to_digits(const body& rigid, const motion& of, long digits, with_slo
 certain_number defect_to_digits(const body& rigid, const rational& c, long digits) {
   twist found = twist_to_digits(rigid, c, digits, with_slope::no);
   certain_number result;
-  static_cast<certification&>(result) = found;
+  static_cast<certification&>(result) = static_cast<const certification&>(found);
   result.enclosure = std::move(found.epsilon);
   result.work = found.work;
   return result;

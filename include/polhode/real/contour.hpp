@@ -67,7 +67,7 @@ requires floating_real<Real>
                         detail::options_for(options, digits));
     detail::set_number_and_error(found.enclosure.re, bits, result.re, result.re_error);
     detail::set_number_and_error(found.enclosure.im, bits, result.im, result.im_error);
-    static_cast<certification&>(result) = found;
+    static_cast<certification&>(result) = static_cast<const certification&>(found);
     result.account = found.account;
   } catch (const input_error& error) {
     result.re = detail::bad_input<Real>(function, error, policy);
