@@ -1105,7 +1105,7 @@ integral_case exponentials_beside_powers(maker& m) {
   return c;
 }
 
-/// A product of powers, exponentials, x^x and gamma functions that grow and decay, times its
+/// A product of powers, exponentials, x^x, gamma functions and W that grow and decay, times its
 /// logarithmic derivative: known where the product tends to 0, as the fastest factor, or what is
 /// left of two as fast, decides. A divergent twin in one case of four.
 integral_case growth_beside_growth(maker& m) {
@@ -1159,8 +1159,13 @@ integral_case growth_beside_growth(maker& m) {
   }
   if (c.diverges) std::swap(greater, lesser);
   const term p = m.one_in(2) ? term(0) : m.rational_near(m.within(-2, 3));
-  const term steady = power(x, p);
-  const term slope = lesser.slope - greater.slope + p / x;
+  factor slow{power(x, p), p / x};
+  if (m.one_in(4)) {
+    const term w = call("lambertW", k * x);
+    slow = {slow.f * w, slow.slope + 1 / (x * (1 + w))};
+  }
+  const term& steady = slow.f;
+  const term slope = lesser.slope - greater.slope + slow.slope;
   const term f = m.any_of({steady * lesser.f / greater.f, lesser.f / (greater.f / steady),
                            steady / greater.f * lesser.f, lesser.f * (steady / greater.f)});
   c.integrand = m.one_in(2) ? f * slope : slope * f;
