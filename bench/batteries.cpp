@@ -19,6 +19,7 @@
 #include <unistd.h>
 
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/expression/library_functions.hpp"
 #include "polhode/expression/parse.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "support/measure.hpp"
@@ -44,9 +45,13 @@ end_point end_of(const std::string& text) {
   return text == "inf" ? end_point::infinity() : end_point_of(parse(text, {}));
 }
 
+expression integrand_of(const battery_integral& i) {
+  return expression(i.formula, {{"x"}, {}, library_functions()});
+}
+
 /// As `polhode integrate` has it: exactly where that is possible.
 ball certified(const battery_integral& i) {
-  const expression f = parse(i.formula);
+  const expression f = integrand_of(i);
   const end_point lower = end_of(i.lower);
   const end_point upper = end_of(i.upper);
   if (const auto exact = exact_integral(f, lower, upper)) {
@@ -95,7 +100,7 @@ std::optional<double> seconds_of_later_call(const F& f) {
 void by_arb(arb_ptr result, const battery_integral& i, const ball& value, long guard) {
   const long bits = bits_for_digits(least_digits);
   const polhode::precision p = bits + guard;
-  const expression f = parse(i.formula);
+  const expression f = integrand_of(i);
   arb_formula integrand(f, p);
   const bool is_cut = !i.cut.rest.empty();
   const auto number = [&](const std::string& text) {

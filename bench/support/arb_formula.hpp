@@ -6,6 +6,8 @@
 #include <acb_calc.h>
 #include <acb_hypgeom.h>
 
+#include <string_view>
+
 #include "arb_number.hpp"
 #include "polhode/expression/evaluation.hpp"
 
@@ -24,7 +26,7 @@ class arb_value {
   explicit arb_value(acb_srcptr z) { acb_set(z_.get(), z); }
 
   [[nodiscard]] acb_srcptr get() const { return z_.get(); }
-  /// What a function is that Arb has not: nowhere defined.
+  /// What a function is that is not here: nowhere defined.
   [[nodiscard]] static arb_value blocked(const char*) {
     return made([](acb_ptr r, slong) { acb_indeterminate(r); });
   }
@@ -96,6 +98,26 @@ class arb_value {
     }
     return made([&](acb_ptr r, slong p) { acb_atan(r, x.get(), p); });
   }
+  friend arb_value airy(const arb_value& x) {
+    return made(
+        [&](acb_ptr r, slong p) { acb_hypgeom_airy(r, nullptr, nullptr, nullptr, x.get(), p); });
+  }
+  friend arb_value bessel_i_scaled(const arb_value& order, const arb_value& x) {
+    return made(
+        [&](acb_ptr r, slong p) { acb_hypgeom_bessel_i_scaled(r, order.get(), x.get(), p); });
+  }
+  /// The principal branch, whose cut runs from -1/e to the left.
+  friend arb_value lambert_w(const arb_value& x) {
+    if (must_be_analytic && arb_contains_zero(acb_imagref(x.get())) != 0) {
+      arb_number from_cut;
+      arb_const_e(from_cut.get(), working_precision);
+      arb_mul(from_cut.get(), from_cut.get(), acb_realref(x.get()), working_precision);
+      arb_add_ui(from_cut.get(), from_cut.get(), 1, working_precision);
+      if (arb_is_positive(from_cut.get()) == 0) return blocked("lambertW");
+    }
+    constexpr fmpz principal[1] = {0};
+    return made([&](acb_ptr r, slong p) { acb_lambertw(r, x.get(), principal, 0, p); });
+  }
 
  private:
   friend class arb_formula;
@@ -110,6 +132,27 @@ class arb_value {
   static inline bool must_be_analytic = false;
   acb_number z_;
 };
+
+}  // namespace polhode::bench
+
+namespace polhode::detail {
+
+/// The functions of the library that are known over balls, by Arb's own.
+template <>
+struct supplement<bench::arb_value> {
+  template <class F, class Range>
+  static bench::arb_value further(const F& f, const Range& x) {
+    const std::string_view name = name_of_function(f);
+    if (name == "airyAi") return airy(x.front());
+    if (name == "besselIx") return bessel_i_scaled(x.front(), x.back());
+    if (name == "lambertW") return lambert_w(x.front());
+    return bench::arb_value::blocked(name_of_function(f));
+  }
+};
+
+}  // namespace polhode::detail
+
+namespace polhode::bench {
 
 /// A formula as an integrand of acb_calc_integrate. The precision of its constants is p.
 class arb_formula {

@@ -127,6 +127,7 @@ struct battery {
        {"18", "sech(x)^3", "0", "inf", "pi/4", {"0", "p/3+1", "2^(-p)"}, "1/cosh(x)^3"},
        {"19", "-log(x)/(1+x)", "0", "1", "pi^2/12", {"2^(-2*p)", "1", "2^(-p)"}},
        {"20", "x*exp(-x)/(1+exp(-x))", "0", "inf", "pi^2/12", {"0", "p", "2^(-p)"}},
+       {"23", "lambertW(x)", "0", "1000", "", {}, "lambertw(x)"},
        {"24", "max(sin(x),cos(x))", "0", "pi", "1+sqrt(2)"},
        {"25",
         "erf(x*sqrt(1250)+3/2)*exp(-x)",
@@ -135,13 +136,24 @@ struct battery {
         "",
         {},
         "(1-erfc(x*sqrt(1250)+3/2))*exp(-x)"},
+       {"26", "airyAi(x)", "-10", "10", "", {}, "airy(x)[1]"},
        {"27", "(x-floor(x)-1/2)*max(sin(x),cos(x))", "0", "10"},
        {"29", "exp(-x^2)*cos(x)", "0", "inf", "sqrt(pi)/2*exp(-1/4)", {"0", "sqrt(p)", "2^(-p)"}},
+       {"30", "exp(-x)*airyAi(-x)", "0", "inf", "", {"0", "p", "2^(-p)"}, "exp(-x)*airy(-x)[1]"},
        {"31", "x*sin(x)/(1+cos(x)^2)", "0", "pi", "pi^2/4"},
        {"32", "sin((1/1000+(1-x)^2)^(-3/2))", "0", "3"},
+       {"33", "besselIx(0,x/3)^3", "0", "inf", "", {}, "exp(-x)*besseli(0,x/3)^3"},
+       // From I_0(y) = (1/pi) int_0^pi e^(y cos t) dt and cos t <= 1 - 2 (t/pi)^2,
+       // e^-y I_0(y) <= sqrt(pi/(8 y)), and the integral from n on is at most 10^5 n^(-13/2).
+       {"34",
+        "besselIx(0,x/15)^15",
+        "0",
+        "inf",
+        "",
+        {"0", "2^((p+17)*2/13)", "2^(-p)"},
+        "exp(-x)*besseli(0,x/15)^15"},
        {"36", "1/gamma(x)", "0", "inf", "", {"2^(-p)", "p+8", "2^(-p)"}}},
-      {"7 and 22: zeta", "21: Weierstrass's p", "23: Lambert's W", "26 and 30: Airy",
-       "33 and 34: Bessel"}};
+      {"7, 11, 22, 28 and 35: along complex paths", "21: Weierstrass's p"}};
 }
 
 }  // namespace polhode::test

@@ -88,8 +88,7 @@ end_series series_at_end(const series_function& f, const end_of_range& end, long
   return *found;
 }
 
-}  // namespace
-
+/// The plan by the growth of f alone; a divergent one where that proves it.
 std::optional<end_plan> plan_from_growth(const integrand& f, const end_of_range& end) {
   if (!f.growth) return std::nullopt;
   const long q = end.infinite ? -1 : 1;
@@ -97,6 +96,7 @@ std::optional<end_plan> plan_from_growth(const integrand& f, const end_of_range&
   std::optional<end_plan> best;
   double farthest = 0;
   for (const double r : {0x1p-2, 0x1p-3, 0x1p-4, 0x1p-5, 0x1p-6, 0x1p-8, 0x1p-16, 0x1p-32}) {
+    if (best && r <= farthest) break;
     const growth_bound g =
         f.growth(growth_bound::argument(exactly(end.at), exactly(end.distance), q, r));
     if (g.is_blocked() || g.factor().is_infinite() || g.oscillates()) continue;
@@ -122,8 +122,6 @@ std::optional<end_plan> plan_from_growth(const integrand& f, const end_of_range&
   }
   return best;
 }
-
-namespace {
 
 /// The plan for x = p + s tau^(q d) from one for x = p + s t^q without logarithms, where d (M + 1)
 /// is a whole number. With t = tau^d, F_qd(tau) = d tau^(d-1) F_q(tau^d) = d tau^(d (M+1) - 1)
@@ -179,9 +177,17 @@ end_plan look_at_end(const integrand& f, const end_of_range& end) {
     if (end.infinite || is_at_0) {
       const auto plan = plan_from_growth(f, end);
       if (plan && !plan->has_growing_parts) return *plan;
+      best.growth_is_known = true;
+      if (plan) best.last_resort = std::make_shared<const end_plan>(*plan);
     }
   }
   return best;
+}
+
+std::optional<end_plan> last_resort(const integrand& f, const end_of_range& end,
+                                    const end_plan& seen) {
+  if (!seen.growth_is_known) return plan_from_growth(f, end);
+  return seen.last_resort ? std::optional(*seen.last_resort) : std::nullopt;
 }
 
 bool is_regular(const integrand& f, const end_of_range& end) {

@@ -2,6 +2,7 @@
 
 // What is known of a function near an end of its range, and how the end is dealt with.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,6 +56,9 @@ struct end_plan {
   /// As growth_bound::has_growing_parts: a last resort.
   bool has_growing_parts = false;
   std::string obstacle;
+  /// Where look_at_end knows no other plan than a last resort, that one.
+  std::shared_ptr<const end_plan> last_resort = nullptr;
+  bool growth_is_known = false;  // look_at_end has asked for it
 };
 
 [[nodiscard]] known_number exactly(const end_point& x);
@@ -62,9 +66,11 @@ struct end_plan {
 /// Looks at f near an end. Tries substitutions x = p + s t^q for small q.
 [[nodiscard]] end_plan look_at_end(const integrand& f, const end_of_range& end);
 
-/// What the growth of f proves where it has no series: that it is integrable, and how small the
-/// part beside the end is; or that it is not, as |f| >= c t^a with one sign and a <= -1.
-[[nodiscard]] std::optional<end_plan> plan_from_growth(const integrand& f, const end_of_range& end);
+/// What the growth of f proves at an end of which look_at_end says this, as nothing better is
+/// known: that f is integrable, and how small the part beside the end is; or that it is not, as
+/// |f| >= c t^a with one sign and a <= -1.
+[[nodiscard]] std::optional<end_plan> last_resort(const integrand& f, const end_of_range& end,
+                                                  const end_plan& seen);
 
 /// Whether f is analytic on a neighbourhood of the end, by regions alone.
 [[nodiscard]] bool is_regular(const integrand& f, const end_of_range& end);

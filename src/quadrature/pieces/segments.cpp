@@ -84,8 +84,7 @@ bool add_decaying_part(preparation& result, const integrand& f, const end_of_ran
   constexpr double least_goal = -0x1p29;
   const double log2_goal = std::max(size - 1.05 * static_cast<double>(bits) - 48, least_goal);
   const magnitude goal = magnitude::power_of_two(static_cast<long>(log2_goal));
-  for (const double r : {0.5, 0x1p-2, 0x1p-4, 0x1p-6, 0x1p-8, 0x1p-12, 0x1p-16, 0x1p-24, 0x1p-32,
-                         0x1p-48, 0x1p-64}) {
+  const auto tail_within = [&](double r) {
     const auto with_orders = [&](int orders) {
       return f.near_infinity(
           end.infinite ? tail_series::argument(exactly(end.distance), r, orders, root)
@@ -93,7 +92,14 @@ bool add_decaying_part(preparation& result, const integrand& f, const end_of_ran
     };
     // Few orders cost less and mostly suffice.
     tail_series tail = with_orders(2);
-    if (tail.is_blocked()) tail = with_orders(end_series::most_orders);
+    return tail.is_blocked() ? with_orders(end_series::most_orders) : tail;
+  };
+  // What is not known so near to the end is hardly known farther away.
+  constexpr double least_r = 0x1p-64;
+  if (tail_within(least_r).is_blocked()) return false;
+  for (const double r : {0.5, 0x1p-2, 0x1p-4, 0x1p-6, 0x1p-8, 0x1p-12, 0x1p-16, 0x1p-24, 0x1p-32,
+                         0x1p-48, least_r}) {
+    const tail_series tail = tail_within(r);
     if (tail.is_blocked()) continue;
     const auto left = [&](const ball& y) {
       return end.infinite ? tail.integral_beyond(y, root) : tail.integral_before(y);
@@ -130,10 +136,10 @@ void require_tiled(const std::vector<part_done>& parts, const end_point& a, cons
   }
 }
 
-/// prefers_exponential: the change of the variable to an exponential may come before what would do
-/// as well.
+/// is_outermost: no change of the variable led here. One may then come before what would do as
+/// well, and a divergence is proved.
 void add_part(preparation& result, const integrand& f, const end_of_range& end, int direction,
-              long bits, bool prefers_exponential = true);
+              long bits, bool is_outermost = true);
 
 /// A function that oscillates ever faster towards a finite end, or without an end up to infinity.
 bool add_oscillating_part(preparation& result, const integrand& f, const end_of_range& end,
@@ -174,34 +180,48 @@ bool add_oscillating_part(preparation& result, const integrand& f, const end_of_
   return true;
 }
 
-/// With x = p + sigma e^-s, at infinity x = sigma e^s, in which the end is at s = infinity: over s
-/// >= s0 the integral of f is that of g(s) = f(x) |dx/ds|. dx/ds has one sign, so that both
-/// converge or neither does.
-bool add_in_exponential(preparation& result, const integrand& f, const end_of_range& end,
-                        int direction, const std::string& place, long bits) {
-  if (!f.in_exponential) return false;
+/// The change of the variable to x = p + sigma e^-s, at infinity x = sigma e^s, in which the end is
+/// at s = infinity: over s >= start the integral of f is that of g(s) = f(x) |dx/ds|. dx/ds has one
+/// sign, so that both converge or neither does.
+struct exponential_change {
+  integrand g;
+  int sigma = 1;
+  end_point start = end_point(1);
+};
+std::optional<exponential_change> exponential_change_for(const integrand& f,
+                                                         const end_of_range& end) {
+  if (!f.in_exponential) return std::nullopt;
   const ball distance = end.distance.at(64);
-  if (!certainly_positive(distance) && !certainly_negative(distance)) return false;
+  if (!certainly_positive(distance) && !certainly_negative(distance)) return std::nullopt;
   const int side = certainly_positive(distance) ? 1 : -1;
   if (f.growth) {
     // The oscillations of a power of the distance would be followed as far as the exponential takes
     // them.
     const growth_bound seen = f.growth(growth_bound::argument(
         exactly(end.at), exactly(end.distance), end.infinite ? -1 : 1, 0x1p-8));
-    if (seen.oscillates()) return false;
+    if (seen.oscillates()) return std::nullopt;
   }
-  const std::optional<integrand> g = f.in_exponential(end.end, side);
-  if (!g) return false;
+  std::optional<integrand> g = f.in_exponential(end.end, side);
+  if (!g) return std::nullopt;
   // e^-s0 below the distance, or e^s0 above the start.
   const ball logarithm = log(abs(distance));
   constexpr double most = 1e15;
   const double least = double_interval::from_ball(end.infinite ? logarithm : -logarithm).upper();
-  if (!(least < most)) return false;
+  if (!(least < most)) return std::nullopt;
   const long s0 = std::max(1L, static_cast<long>(std::floor(least)) + 2);
-  const end_point start(s0);
+  return exponential_change{std::move(*g), side, end_point(s0)};
+}
+
+/// The integral of f by that of g over s.
+bool add_in_exponential(preparation& result, const integrand& f, const end_of_range& end,
+                        int direction, const std::string& place, long bits) {
+  const auto change = exponential_change_for(f, end);
+  if (!change) return false;
+  const int side = change->sigma;
+  const end_point& start = change->start;
   preparation near;
   // A second change only where nothing else will do: its range would be far greater.
-  add_part(near, *g, end_of_range::infinity(1, start), 1, bits, false);
+  add_part(near, change->g, end_of_range::infinity(1, start), 1, bits, false);
   if (near.why == reason::not_integrable) {
     result.why = near.why;
     result.obstacle = "the integrand grows too fast at " + place;
@@ -222,7 +242,7 @@ bool add_in_exponential(preparation& result, const integrand& f, const end_of_ra
   result.segments.insert(result.segments.end(), near.segments.begin(), near.segments.end());
   result.remainder += near.remainder;
   result.has_tail = result.has_tail || near.has_tail;
-  const end_point far([s0, place_of](precision p) { return place_of(ball(s0, p)); });
+  const end_point far([start, place_of](precision p) { return place_of(start.at(p)); });
   result.parts.push_back(end.part(end.end, far, direction));
   const part_done rest_of_it = end.part(far, end.start, direction);
   add_analytic_pieces(result, f, rest_of_it.from, rest_of_it.to, bits);
@@ -311,21 +331,23 @@ std::optional<end_of_range> with_rational_distance(const end_of_range& end) {
   return end_of_range{end.at, nearer, false, end.end, sum_of(end.at, nearer, 1)};
 }
 
-/// The integral of f up to the infinite end diverges, from its start on or from some point beyond
-/// it.
-bool is_divergent_tail(const integrand& f, const end_of_range& end) {
-  if (!f.diverges_beyond || !end.start.exact()) return false;
-  constexpr unsigned tries = 5;
-  for (unsigned k = 0; k < tries; ++k) {
-    if (f.diverges_beyond(*end.start.exact() * rational(integer(1) << (4 * k)))) return true;
+/// The integral of f up to the end diverges: towards infinity from its start on or from some point
+/// beyond it, or after a change of the variable.
+bool is_divergent(const integrand& f, const end_of_range& end) {
+  if (end.infinite && f.diverges_beyond && end.start.exact()) {
+    constexpr unsigned tries = 5;
+    for (unsigned k = 0; k < tries; ++k) {
+      if (f.diverges_beyond(*end.start.exact() * rational(integer(1) << (4 * k)))) return true;
+    }
   }
-  return false;
+  const auto change = exponential_change_for(f, end);
+  return change && is_divergent(change->g, end_of_range::infinity(1, change->start));
 }
 
 /// The part from `end` (t = 0), where f is not regular, to t = 1. direction: 1 where x runs away
 /// from the end as the integral does.
 void add_part(preparation& result, const integrand& f, const end_of_range& end, int direction,
-              long bits, bool prefers_exponential) {
+              long bits, bool is_outermost) {
   const end_plan plan = look_at_end(f, end);
   const std::string place =
       end.infinite ? std::string("infinity") : "x = " + to_decimal(end.at.at(96), 20);
@@ -338,7 +360,7 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
       // many bits only. And where only the growth is known, as of x^x, the formula in s has its
       // powers worked out, and larger panels; but what decays as exp(-x^2) does has narrow peaks in
       // s.
-      if (prefers_exponential &&
+      if (is_outermost &&
           (plan.exponent < rational(-63, 64) ||
            (plan.has_growth_only && !decays_exponentially(f, end))) &&
           add_in_exponential(result, f, end, direction, place, bits)) {
@@ -360,12 +382,12 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
         direction > 0 ? std::pair(nearer->start, end.start) : std::pair(end.start, nearer->start);
     result.segments.push_back(regular_segment(f, left, right));
     result.parts.push_back({left, right});
-    return add_part(result, f, *nearer, direction, bits, prefers_exponential);
+    return add_part(result, f, *nearer, direction, bits, is_outermost);
   }
   if (add_decaying_part(result, f, end, direction, bits)) return;
   if (add_oscillating_part(result, f, end, direction, place, bits)) return;
   if (add_in_exponential(result, f, end, direction, place, bits)) return;
-  const auto by_growth = plan_from_growth(f, end);
+  const auto by_growth = last_resort(f, end, plan);
   if (by_growth) {
     if (by_growth->how == manner::divergent) {
       result.why = reason::not_integrable;
@@ -377,12 +399,17 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
       return;
     }
   }
+  // The proof is dear: where a change of the variable led here, the other ways come first.
+  if (is_outermost && is_divergent(f, end)) {
+    result.why = reason::not_integrable;
+    result.obstacle = end.infinite ? "the integral diverges at infinity"
+                                   : "the integrand grows too fast at " + place;
+    return;
+  }
   if (end.infinite) {
-    const bool diverges = is_divergent_tail(f, end);
-    result.why = diverges ? reason::not_integrable : reason::not_analytic;
-    result.obstacle = diverges    ? "the integral diverges at infinity"
-                      : by_growth ? "parts of the integrand overflow before its tail is small"
-                                  : "no proof of decay at infinity (" + plan.obstacle + ")";
+    result.why = reason::not_analytic;
+    result.obstacle = by_growth ? "parts of the integrand overflow before its tail is small"
+                                : "no proof of decay at infinity (" + plan.obstacle + ")";
     return;
   }
   add_segment(result, affine_segment(f, end.at, end.start), end, end.end, end.start, direction);
@@ -474,7 +501,7 @@ bool can_cut_at(const integrand& f, const end_point& q) {
     if (!near.is_blocked() && !near.integral_before(ball(1L << 20, 64)).is_infinite()) return true;
     constexpr long few_bits = 64;
     preparation tried;
-    return add_in_exponential(tried, f, end, side, "", few_bits);
+    return add_in_exponential(tried, f, end, side, "", few_bits) || is_divergent(f, end);
   };
   return is_understood(-1) && is_understood(1);
 }
