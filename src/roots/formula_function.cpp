@@ -46,21 +46,23 @@ struct supplement<function_structure> {
         [](const series& t) { return log(t + 1); });
   }
   static function_structure power(const function_structure& x, const function_structure& y) {
-    return function_structure::applied_to_two(
-        x, y, [](const auto& s, const auto& t) { return named<operation::power>::over(s, t); },
-        natural_power, exact_power);
+    return power_of(
+        x, y, [](const auto& s, const auto& t) { return named<operation::power>::over(s, t); });
   }
   static function_structure root(const function_structure& x, long n) {
     return function_structure::applied(
-        x, [n](const auto& t) { return named<operation::root>::over(t, n); },
-        [n](const ball& t) { return natural_domain::root(t, static_cast<unsigned long>(n)); },
-        [n](const series& t) {
-          const known_number value =
-              t[0].is_exactly(0) || t[0].is_exactly(1)
-                  ? t[0]
-                  : known_number(named<operation::root>::over(t[0].enclosure(), n));
-          return function_structure::value_alone(t, value);
-        });
+               x, [n](const auto& t) { return named<operation::root>::over(t, n); },
+               [n](const ball& t) {
+                 return natural_domain::root(t, static_cast<unsigned long>(n));
+               },
+               [n](const series& t) {
+                 const known_number value =
+                     t[0].is_exactly(0) || t[0].is_exactly(1)
+                         ? t[0]
+                         : known_number(named<operation::root>::over(t[0].enclosure(), n));
+                 return function_structure::value_alone(t, value);
+               })
+        .with_zeros_of(x);
   }
   // 1/Gamma is entire, and the poles of Gamma are its zeros, which are simple; none is positive.
   static function_structure gamma(const function_structure& x) {

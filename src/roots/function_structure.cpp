@@ -55,6 +55,7 @@ void multiply_factors(std::vector<structure_factor>& factors,
       factors.push_back(g);
     } else {
       same->power += g.power;
+      same->is_branch = same->is_branch || g.is_branch;
     }
   }
 }
@@ -62,6 +63,7 @@ void multiply_factors(std::vector<structure_factor>& factors,
 structure_product multiplied(const structure_product& x, const structure_product& y, long id) {
   structure_product r{id, x.factors, x.over * y.over, x.at_point * y.at_point};
   multiply_factors(r.factors, y.factors);
+  r.is_defined_at_zeros = x.is_defined_at_zeros && y.is_defined_at_zeros;
   return r;
 }
 
@@ -74,6 +76,7 @@ function_structure function_structure::variable(const ball& box, const ball& poi
   x.numerator_.over = jet<ball, 1>::variable(box);
   x.numerator_.at_point = point;
   x.numerator_.factors = {{1, 1, x.numerator_.over, point}};
+  x.numerator_.is_defined_at_zeros = true;
   x.natural_ = box;
   return x;
 }
@@ -98,9 +101,26 @@ function_structure function_structure::fresh(jet<ball, 1> over, ball at_point,
   r.divisors_ = divisors_;
   r.numerator_.id = ++*ids_;
   if (!never_zero) r.numerator_.factors = {{r.numerator_.id, 1, over, at_point}};
+  r.numerator_.is_defined_at_zeros = !over[0].is_undefined();
   r.numerator_.over = std::move(over);
   r.numerator_.at_point = std::move(at_point);
   return r;
+}
+
+// Proof of is_defined_at_zeros. A product with one vanishing factor g is made of parts that are
+// defined all over the box, and of parts such as sqrt(u) where u has a vanishing factor: that is g,
+// and at its zeros u is 0, where the part is defined, if its denominator is not 0 there. A u without
+// a vanishing factor may be negative there.
+function_structure function_structure::with_zeros_of(const function_structure& u) && {
+  const auto may_vanish = [](const ball& t) { return t.is_undefined() || contains_zero(t); };
+  numerator_.factors = u.numerator_.factors;
+  for (factor& g : numerator_.factors) g.is_branch = true;
+  if (std::any_of(numerator_.factors.begin(), numerator_.factors.end(),
+                  [&](const factor& g) { return may_vanish(g.over[0]); })) {
+    numerator_.is_defined_at_zeros = u.numerator_.is_defined_at_zeros &&
+                                     !(u.denominator_ && may_vanish(u.denominator_->over[0]));
+  }
+  return std::move(*this);
 }
 
 function_structure function_structure::constant(const ball& c) const {
@@ -233,6 +253,7 @@ function_structure pow(const function_structure& x, long n) {
     if (!x.natural_ || x.over()[0].is_undefined()) one.natural_ = x.natural_;
     if (x.over()[0].is_undefined()) {  // 1 where x is defined, but nothing is known where not
       one.numerator_.over[0] = ball::undefined(x.numerator_.at_point.precision());
+      one.numerator_.is_defined_at_zeros = false;
     }
     return one;
   }
@@ -243,6 +264,7 @@ function_structure pow(const function_structure& x, long n) {
   const auto raised = [&](const structure_product& g) {
     structure_product r{++*x.ids_, g.factors, pow(g.over, m), pow(g.at_point, m)};
     r.over[0] = pow(g.over[0], m);
+    r.is_defined_at_zeros = g.is_defined_at_zeros;
     for (structure_factor& h : r.factors) h.power *= m;
     return r;
   };
@@ -297,13 +319,19 @@ POLHODE_ENTIRE(asinh, false)
     return function_structure::applied(                                       \
         x, apply, [](const ball& t) { return natural_domain::f(t); }, apply); \
   }
-POLHODE_PARTIAL(sqrt)
 POLHODE_PARTIAL(log)
 POLHODE_PARTIAL(asin)
 POLHODE_PARTIAL(acos)
 POLHODE_PARTIAL(acosh)
 POLHODE_PARTIAL(atanh)
 #undef POLHODE_PARTIAL
+
+function_structure sqrt(const function_structure& x) {
+  const auto apply = [](const auto& t) { return sqrt(t); };
+  const auto natural = [](const ball& t) { return natural_domain::sqrt(t); };
+  return function_structure::applied(x, apply, natural, apply).with_zeros_of(x);
+}
+
 #define POLHODE_WITHOUT_SERIES(f, never_zero)                                          \
   function_structure f(const function_structure& x) {                                  \
     return function_structure::applied(                                                \
@@ -375,13 +403,14 @@ function_structure tan(const function_structure& x) { return sin(x) / cos(x); }
 
 function_structure abs(const function_structure& x) {
   return function_structure::applied(
-      x, [](const auto& t) { return abs(t); },
-      [](const ball& t) { return std::optional<ball>(abs(t)); },
-      [](const function_structure::exact_series& s) {
-        const auto value =
-            s[0].exact() ? s[0].like(abs(*s[0].exact())) : known_number(abs(s[0].enclosure()));
-        return function_structure::value_alone(s, value);
-      });
+             x, [](const auto& t) { return abs(t); },
+             [](const ball& t) { return std::optional<ball>(abs(t)); },
+             [](const function_structure::exact_series& s) {
+               const auto value = s[0].exact() ? s[0].like(abs(*s[0].exact()))
+                                               : known_number(abs(s[0].enclosure()));
+               return function_structure::value_alone(s, value);
+             })
+      .with_zeros_of(x);
 }
 function_structure min(const function_structure& x, const function_structure& y) {
   return function_structure::applied_to_two(
@@ -396,10 +425,7 @@ function_structure max(const function_structure& x, const function_structure& y)
       [](const exact_series& s, const exact_series& t) { return one_of(s, t, false); });
 }
 function_structure pow(const function_structure& x, const function_structure& y) {
-  return function_structure::applied_to_two(
-      x, y, [](const auto& s, const auto& t) { return pow(s, t); },
-      [](const ball& s, const ball& t) { return detail::natural_power(s, t); },
-      detail::exact_power);
+  return detail::power_of(x, y, [](const auto& s, const auto& t) { return pow(s, t); });
 }
 
 }  // namespace polhode

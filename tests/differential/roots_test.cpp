@@ -86,6 +86,7 @@ std::optional<std::string> error_in(const known_case& k, const root_set& s) {
   if (s.identically_zero) return "said to be 0 everywhere";
   const auto value = [](const term& t) { return read(t).value(p); };
   std::vector<long> claimed(s.regions.size());
+  std::vector<long> possible(s.regions.size());  // also those that are an end of the region
   for (const known_root& r : k.roots) {
     const ball at = value(r.at);
     const auto beyond = [&](const term& end, bool lower) {
@@ -98,6 +99,7 @@ std::optional<std::string> error_in(const known_case& k, const root_set& s) {
       const root_region& region = s.regions[i];
       if (!overlaps(region.enclosure, at)) continue;
       is_covered = true;
+      possible[i] += r.multiplicity;
       if (contains(region.enclosure, at)) claimed[i] += r.multiplicity;
     }
     // An end that is written as the root is the root; of one that is only near it nothing is known.
@@ -111,7 +113,7 @@ std::optional<std::string> error_in(const known_case& k, const root_set& s) {
   }
   for (std::size_t i = 0; i < s.regions.size(); ++i) {
     const root_region& region = s.regions[i];
-    if (region.verdict == root_verdict::isolated && claimed[i] != 1) {
+    if (region.verdict == root_verdict::isolated && (claimed[i] > 1 || possible[i] < 1)) {
       return fmt::format("there are {} roots in {}, not 1", claimed[i],
                          to_decimal(region.enclosure, 20));
     }
@@ -625,6 +627,50 @@ known_case outgrown_sum(maker& m) {
   return k;
 }
 
+/// A root, another power or the absolute value of a function with known zeros, which is often not
+/// defined on one side of them, times a factor whose root is one only where the power is defined.
+known_case powers_of_known_functions(maker& m) {
+  for (;;) {
+    known_case k;
+    std::vector<known_root> places;
+    term u = m.one_in(2) ? positive_factor(m) : term(1);
+    for (long n = m.between(1, 3); n > 0; --n) {
+      const term r = place(m, places, false);
+      u = u * factor_with_root(m, r);
+      places.push_back({r, 1});
+    }
+    k.roots = places;
+    if (m.one_in(3)) {  // a pole, where the sign changes as well
+      const term d = place(m, places, false);
+      u = u / factor_with_root(m, d);
+      places.push_back({d, 1});
+    }
+    bool is_negated = m.one_in(4);
+    if (is_negated) u = -u;
+    const long kind = m.between(0, 5);
+    const bool is_defined_everywhere = kind < 2;
+    term f = kind == 0   ? call("abs", u)
+             : kind == 1 ? call("cbrt", u)
+             : kind == 2 ? call("sqrt", u)
+             : kind == 3 ? power(u, term("pi") / m.between(1, 9))
+             : kind == 4 ? power(u, term(m.between(1, 5)) / 7)
+                         : power(u, call("sqrt", m.between(2, 3)));
+    if (m.one_in(2)) {
+      const term r = place(m, places, false);
+      for (const known_root& p : places) {
+        if (approximately(r) < approximately(p.at)) is_negated = !is_negated;
+      }
+      f = f * factor_with_root(m, r);
+      places.push_back({r, 1});
+      if (is_defined_everywhere || !is_negated) k.roots.push_back({r, 1});
+    }
+    if (!all_differ(places)) continue;
+    const auto [a, b] = searched(m, k.roots);
+    k.c = {m.one_in(6) ? -f : f, a, b};
+    return k;
+  }
+}
+
 /// Factors with known roots, times a function without zeros that is not defined at s, or
 /// oscillates without end there.
 known_case singular_point_inside(maker& m) {
@@ -731,6 +777,7 @@ INSTANTIATE_TEST_SUITE_P(
         known_family{"jumps", 150, beside_jumps},
         known_family{"sums of exponentials", 60, sums_of_exponentials},
         known_family{"one summand outgrows the others", 60, outgrown_sum},
+        known_family{"powers of known functions", 80, powers_of_known_functions},
         known_family{"singular points inside", 60, singular_point_inside},
         known_family{"removable points", 50, removable_points},
         known_family{"touching at multiples of pi", 50, touching_at_multiples_of_pi},

@@ -720,9 +720,61 @@ TEST(ZeroFreeEnds, TakeNoLeadingTermBeforeItHolds) {
 /// J is 0 at 0, where its formula alone knows its value.
 TEST(IsolateRoots, HaveNoneAtABranchPointOnlyWhereTheValueIsNotZero) {
   if (arb_functions()->empty()) GTEST_SKIP() << "the library was built without Arb";
-  EXPECT_FALSE(isolate_roots(parse("besselJ(1/2,x)"), -1, 1).is_resolved());
+  expect_resolved(isolate_roots(parse("besselJ(1/2,x)"), -1, 1), 1);
   expect_resolved(isolate_roots(parse("besselJ(1/2,x) + 1"), -1, 1), 0);
   EXPECT_FALSE(isolate_roots(parse("gammaLower(1/3,x)"), -1, 1).is_resolved());
+}
+
+TEST(IsolateRoots, AreIsolatedWhereARootOrAPowerBegins) {
+  const auto expect_isolated = [](const char* text, const char* root) {
+    SCOPED_TRACE(text);
+    const root_set s = isolate_roots(parse(text), 0, 3);
+    expect_resolved(s, 1);
+    ASSERT_EQ(s.regions.size(), 1U);
+    EXPECT_EQ(s.regions[0].verdict, root_verdict::isolated);
+    EXPECT_EQ(s.regions[0].multiplicity, 0);
+    EXPECT_TRUE(overlaps(refine(s.regions[0], 50).enclosure, parse(root, {}).value(300)));
+  };
+  expect_isolated("x^pi", "0");
+  expect_isolated("x^(1/3) + x^pi", "0");
+  expect_isolated("sqrt(x^2-2)", "sqrt(2)");
+  expect_isolated("abs(exp(x)-3)", "log(3)");
+  expect_isolated("cbrt(exp(x)-3)", "log(3)");
+  expect_isolated("(exp(x)-3)^(pi/7)", "log(3)");
+  expect_isolated("(x-sqrt(2))^x", "sqrt(2)");
+  expect_isolated("sqrt(sqrt(x^2-2))*(x-1)", "sqrt(2)");
+  expect_isolated("sqrt((x^2-2)/(x-1))*(x-5/4)", "sqrt(2)");
+  expect_isolated("sqrt(x-sqrt(2))*sqrt(x-3/2)", "3/2");
+  expect_isolated("(x^2-2)*abs(x^2-2)", "sqrt(2)");
+}
+
+TEST(IsolateRoots, AtABranchPointAreOnlyWhereTheWholeIsDefined) {
+  const auto expect_none = [](const char* text) {
+    SCOPED_TRACE(text);
+    expect_resolved(isolate_roots(parse(text), 0, 3), 0);
+  };
+  expect_none("sqrt(x^2-2)*exp(1/(x^2-2))");
+  expect_none("1/(1/sqrt(x^2-2))");
+  expect_none("1/abs(x^2-2)");
+  expect_none("(x^2-2)^(-pi)");
+  expect_none("x^pi + 1");
+  expect_none("sqrt(sqrt(2)-x)*log(x-2)");
+  // Not decided, but nothing wrong is said: there is a root at sqrt(2), and none.
+  const root_set touching = isolate_roots(parse("sqrt(x-sqrt(2))*sqrt(sqrt(2)-x)"), 0, 3);
+  ASSERT_EQ(touching.regions.size(), 1U);
+  EXPECT_EQ(touching.regions[0].verdict, root_verdict::unresolved);
+  for (const char* text :
+       {"log(x^2-2)*sqrt(x^2-2)", "sqrt((x^2-2)/(x-sqrt(2)))", "sqrt(x^2-2)*exp(1/(x-sqrt(2)))",
+        "exp(1/(x-sqrt(2)))*sqrt(x^2-2)", "(sqrt(x^2-2)*exp(1/(x-sqrt(2))))^2",
+        "sqrt(x^2-2)/exp(1/(x-sqrt(2)))"}) {
+    SCOPED_TRACE(text);
+    for (const root_region& r : isolate_roots(parse(text), 0, rational(8, 5)).regions) {
+      EXPECT_EQ(r.verdict, root_verdict::unresolved);
+    }
+  }
+  const root_set poles = isolate_roots(parse("(x-1)/abs(x^2-2)"), 0, 3);
+  ASSERT_EQ(poles.singular.size(), 1U);
+  EXPECT_EQ(poles.singular[0].pole_order, 0);
 }
 
 TEST(IsolateRoots, OfZetaAreTheTrivialOnes) {

@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "polhode/arithmetic/inexact_operand.hpp"
@@ -37,6 +38,9 @@ class function_structure {
     long power = 1;
     jet<ball, 1> over;
     ball at_point;
+    /// What is multiplied is sqrt(g), |g| or g^c with c > 0, which has the zeros of g, and no
+    /// multiplicity there.
+    bool is_branch = false;
   };
   /// A product of the factors and of a function that vanishes nowhere in the box.
   struct product {
@@ -44,6 +48,8 @@ class function_structure {
     std::vector<factor> factors;
     jet<ball, 1> over;  // the whole product
     ball at_point;
+    /// Proved: where only one factor vanishes in the box, the product is defined at its zeros.
+    bool is_defined_at_zeros = false;
   };
 
   /// The identity over the box, at the point, which lies in it.
@@ -143,6 +149,9 @@ class function_structure {
     if (natural.size() == x.size()) r.natural_ = natural_of(natural);
     return r;
   }
+  /// This function of u with the factors of u, as its zeros are exactly those of u, and it is
+  /// defined there: sqrt(u) or |u|.
+  [[nodiscard]] function_structure with_zeros_of(const function_structure& u) &&;
   /// A series with the value alone, for a function with breaks.
   [[nodiscard]] static exact_series value_alone(const exact_series& like,
                                                 const known_number& value);
@@ -209,6 +218,15 @@ namespace detail {
 /// The series of x^y for x > 0; where x is 0 and y > 0, the value 0 alone.
 [[nodiscard]] function_structure::exact_series exact_power(
     const function_structure::exact_series& x, const function_structure::exact_series& y);
+/// x^y, where on_jets computes it over jets and balls.
+template <class OnJets>
+[[nodiscard]] function_structure power_of(const function_structure& x, const function_structure& y,
+                                          OnJets&& on_jets) {
+  function_structure r =
+      function_structure::applied_to_two(x, y, on_jets, natural_power, exact_power);
+  if (!certainly_positive(y.over()[0])) return r;
+  return std::move(r).with_zeros_of(x);  // for y > 0, 0^y is 0, and x^y is not 0 for x not 0
+}
 }  // namespace detail
 /// x^y for x > 0.
 [[nodiscard]] function_structure pow(const function_structure& x, const function_structure& y);

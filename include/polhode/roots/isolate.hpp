@@ -28,6 +28,8 @@
 //   f exactly 0 at a rational point c, and |f(c +- t)| >= k t^a with k > 0 on either side
 //   (zero_free_ends.hpp), or f not defined there: c, and no other; c may be a kink or a branch
 //   point;
+//   a factor sqrt(g), |g| or g^c with c > 0, g with one simple root in the box and the rest defined
+//   there: that root, without a multiplicity;
 //   f certainly not 0 at a point, or not defined, and so on either side: no root;
 //   no factor of the numerator vanishes: no root, but a pole where the denominator does;
 //   towards infinity, |f(x)| >= k |x|^a with k > 0 from some x on (zero_free_ends.hpp): no root.

@@ -415,7 +415,8 @@ class examination {
       if (poles.size() == 1 && has_order) {
         if (const auto pole = only_root(*poles.front())) {
           const real_function g = factor_of(*problem(b).g, poles.front()->id);
-          result_.singular.push_back({refined_place(g, *pole, x), poles.front()->power});
+          const long order = poles.front()->is_branch ? 0 : poles.front()->power;
+          result_.singular.push_back({refined_place(g, *pole, x), order});
           result_.known = {wide, x, std::nullopt};
           return true;
         }
@@ -446,7 +447,22 @@ class examination {
       exclude(b.x, x);
       return true;
     }
-    if (zeros.size() == 1 && poles.empty() && is_defined && !over[1].is_undefined()) {
+    if (zeros.size() == 1 && poles.empty() && zeros.front()->is_branch) {
+      // f has the zeros of this factor, and is defined there.
+      const bool is_defined_there =
+          s->numerator().is_defined_at_zeros && !s->was_divided_by(*zeros.front()) &&
+          (!s->denominator() || is_certainly_not_zero(s->denominator()->over[0]));
+      const auto root = is_defined_there ? only_root(*zeros.front()) : std::nullopt;
+      if (root) {
+        if (const auto zero = exact_zero_in(b)) {
+          add_exact(b, wide, x, zero->at, 0);
+        } else {
+          add(b, wide, x, *root, 0, std::nullopt,
+              std::make_shared<real_function>(factor_of(*problem(b).g, zeros.front()->id)));
+        }
+        return true;
+      }
+    } else if (zeros.size() == 1 && poles.empty() && is_defined && !over[1].is_undefined()) {
       // The quotient may be defined where f is not: 1/(1/x) is x/1.
       ++result_.evaluations;
       const jet<ball, 1> plain = evaluator(b.problem, b.bits).slope(x);
@@ -482,7 +498,10 @@ class examination {
                                                  : function_structure::variable_at(at, 0, b.bits));
       const bool is_known =
           s && (!s->natural_range() || is_certainly_not_zero(*s->natural_range()));
-      const std::optional<ball> value = is_known ? s->natural_range() : value_at(b, at);
+      std::optional<ball> value = is_known ? s->natural_range() : std::nullopt;
+      if (!is_known) {
+        if (const auto exact = value_at(b, at)) value = exact->enclosure();
+      }
       if (value && !is_certainly_not_zero(*value)) return {};
       if (!grows_on_both_sides(b, x, at)) return {};
       const bool is_defined_there = value.has_value();
@@ -495,12 +514,12 @@ class examination {
 
   /// The formula at the point, where exact rules know more than balls; nothing where it certainly
   /// has no value there.
-  std::optional<ball> value_at(const work_box& b, const pi_combination& at) {
+  std::optional<known_number> value_at(const work_box& b, const pi_combination& at) {
     const expression* const f = problem(b).g->formula();
-    if (f == nullptr) return ball::undefined(b.bits);
+    if (f == nullptr) return known_number(ball::undefined(b.bits));
     try {
       const symbol point = formula_of(end_point(at))->evaluate(std::span<const symbol>());
-      return expression((*f)(point), f->names()).known_value(b.bits).enclosure();
+      return expression((*f)(point), f->names()).known_value(b.bits);
     } catch (const input_error&) {
       return std::nullopt;
     }
@@ -515,7 +534,11 @@ class examination {
         refine_root(value, slope, intersection(root.enlarged(root.radius()), box), p);
     result_.evaluations += r.evaluations_of_f + r.evaluations_of_derivative;
     const ball both = intersection(r.root, root);
-    return both.is_undefined() ? root : both;
+    const ball place = both.is_undefined() ? root : both;
+    // A root that is a simple number, such as a pole of gamma, is that number.
+    const auto simple = simple_number_in(exact_ends(place));
+    return simple && sign_of(value(ball(*simple, p))) == certain_sign::zero ? ball(*simple, p)
+                                                                            : place;
   }
 
   /// The order of the zero of f at the simplest rational number in the box, or the simplest
@@ -543,7 +566,9 @@ class examination {
     for (const int order : {1, 8, 40}) {
       const auto s =
           structure(problem(b), function_structure::variable_at(r.at.known(b.bits), order));
-      if (!s || !s->series()) return std::nullopt;
+      if (!s || !s->series() || (*s->series())[0].enclosure().is_undefined()) {
+        return zero_at_branch_point(at, b);
+      }
       const auto& t = *s->series();
       if (!settled(t[0]).is_zero()) return std::nullopt;
       int k = 1;
@@ -553,6 +578,14 @@ class examination {
       return r;
     }
     return r;
+  }
+
+  /// Where there is no series, as of x^pi and x^x at 0: by the formula at the point.
+  std::optional<exact_zero> zero_at_branch_point(const exact_point& at, const work_box& b) {
+    if (!at.form()) return std::nullopt;
+    const auto value = value_at(b, *at.form());
+    if (!value || !settled(*value).is_zero()) return std::nullopt;
+    return exact_zero{at, 0};
   }
 
   /// The simplest rational number in the box, where f is exactly 0 there and has no known
