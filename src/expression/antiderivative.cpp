@@ -38,7 +38,7 @@ class antiderivative {
     node_id sum = g_.number(0);
     std::size_t powers = 0;
     for (const auto& [e, amplitude] : *terms) {
-      if (e.size() > 1) return std::nullopt;
+      if (e.powers.size() > 1) return std::nullopt;
       const auto u = detail::polynomial_in_variable(g_, amplitude.re);
       const auto v = detail::polynomial_in_variable(g_, amplitude.im);
       if (!u || !v) return std::nullopt;
@@ -47,8 +47,8 @@ class antiderivative {
       std::vector<complex_node> c(std::max(u->size(), v->size()), nodes_.number(0));
       for (std::size_t n = 0; n < u->size(); ++n) c[n].re = (*u)[n];
       for (std::size_t n = 0; n < v->size(); ++n) c[n].im = (*v)[n];
-      sum = nodes_.sum(sum, e.empty() ? of_polynomial(c) : of_exponential(c, e.front()));
-      rates_.push_back(e.empty() ? g_.number(0) : e.front().re);
+      sum = nodes_.sum(sum, e.is_zero() ? of_polynomial(c) : of_exponential(c, e.powers.front()));
+      rates_.push_back(e.is_zero() ? g_.number(0) : e.powers.front().re);
     }
     return sum;
   }

@@ -1,12 +1,14 @@
-// A formula in u = 1/x in place of x, where abs, min, max, floor or ceil stand over powers of 1/x:
-// what these do ever faster towards x = 0, as in floor(1/x) and |sin(1/x)|, they do at one pace in
-// u.
+// A formula in u = 1/x in place of x, where abs, min, max, floor or ceil stand over powers of 1/x,
+// or a sine or cosine over these beside a logarithm: what these do ever faster towards x = 0, as in
+// floor(1/x) and |sin(1/x)|, they do at one pace in u, and cos(log(x)/x) is cos(u log(u)), whose
+// oscillations are known towards infinity (turned_rays.cpp).
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "exponential_sum.hpp"
 #include "graph.hpp"
 #include "polhode/expression/expression.hpp"
 
@@ -27,11 +29,16 @@ struct monomial {
   long exponent;
 };
 
-bool has_piecewise(const detail::graph& g) {
+bool has(const detail::graph& g, const auto& property) {
   for (node_id i = 0; i <= g.root; ++i) {
-    if (detail::is_piecewise(g[i].what)) return true;
+    if (property(g[i].what)) return true;
   }
   return false;
+}
+bool may_be_wanted(const detail::graph& g) {
+  return has(g, detail::is_piecewise) ||
+         (has(g, [](operation what) { return what == operation::log; }) &&
+          detail::has_circular_functions(g));
 }
 
 class substitution {
@@ -43,14 +50,27 @@ class substitution {
   std::optional<node_id> result() {
     std::vector<std::optional<monomial>> monomials(size_);
     std::vector<char> has_reciprocal(size_, 0);
-    bool has_steps_of_reciprocal = false;
+    std::vector<char> has_factor(size_, 0);  // a reciprocal beside logarithms, not inside one
+    std::vector<char> has_logarithm(size_, 0);
+    bool is_wanted = false;
     for (node_id i = 0; i < size_; ++i) {
+      const operation what = g_[i].what;
       monomials[i] = monomial_at(i, monomials);
       has_reciprocal[i] = monomials[i] && monomials[i]->exponent < 0 ? 1 : 0;
-      for (const node_id k : detail::operands_at(g_, i)) has_reciprocal[i] |= has_reciprocal[k];
-      has_steps_of_reciprocal |= detail::is_piecewise(g_[i].what) && has_reciprocal[i] != 0;
+      const bool divides = what == operation::divide && monomials[g_[i].right] &&
+                           monomials[g_[i].right]->exponent > 0;
+      has_factor[i] = has_reciprocal[i] != 0 || divides ? 1 : 0;
+      has_logarithm[i] = what == operation::log && varies_[i] != 0 ? 1 : 0;
+      for (const node_id k : detail::operands_at(g_, i)) {
+        has_reciprocal[i] |= has_reciprocal[k];
+        has_logarithm[i] |= has_logarithm[k];
+        if (what != operation::log) has_factor[i] |= has_factor[k];
+      }
+      const bool is_circular = what == operation::sin || what == operation::cos;
+      is_wanted |= (detail::is_piecewise(what) && has_reciprocal[i] != 0) ||
+                   (is_circular && has_factor[i] != 0 && has_logarithm[i] != 0);
     }
-    if (!has_steps_of_reciprocal) return std::nullopt;
+    if (!is_wanted) return std::nullopt;
     const node_id u = g_.variable(0);
     std::vector<node_id> places(size_);
     for (node_id i = 0; i < size_; ++i) {
@@ -59,6 +79,10 @@ class substitution {
       } else if (monomials[i]) {
         places[i] =
             multiply(g_, monomials[i]->c, detail::power(g_, u, g_.number(-monomials[i]->exponent)));
+      } else if (g_[i].what == operation::divide && g_[i].right < size_ && monomials[g_[i].right]) {
+        const monomial& divisor = *monomials[g_[i].right];
+        places[i] = multiply(g_, divide(g_, places[g_[i].left], divisor.c),
+                             detail::power(g_, u, g_.number(divisor.exponent)));
       } else {
         places[i] = detail::with_operands(g_, g_, i, [&](node_id k) { return places[k]; });
       }
@@ -112,7 +136,7 @@ class substitution {
 
 std::optional<expression> expression::by_reciprocal() const {
   if (variables_.size() != 1 || graph_->root >= by_reciprocal_impl::most_nodes ||
-      !by_reciprocal_impl::has_piecewise(*graph_)) {
+      !by_reciprocal_impl::may_be_wanted(*graph_)) {
     return std::nullopt;
   }
   try {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "exact_value.hpp"
+
 namespace polhode::detail {
 
 // ---------------------------------------------------------------------------------------------
@@ -225,7 +227,8 @@ using maybe_terms = std::optional<exponential_terms>;
 
 class decomposition {
  public:
-  explicit decomposition(graph& g) : g_(g), nodes_(g), polynomials_(g) {}
+  decomposition(graph& g, bool allows_logarithms)
+      : g_(g), nodes_(g), polynomials_(g), allows_logarithms_(allows_logarithms) {}
 
   maybe_terms root() {
     const std::vector<char> used = reachable(g_);
@@ -244,7 +247,7 @@ class decomposition {
   /// The node of a sum without exponentials.
   std::optional<node_id> steady_node(const exponential_terms& x) {
     if (x.empty()) return g_.number(0);
-    if (x.size() > 1 || !x.begin()->first.empty()) return std::nullopt;
+    if (x.size() > 1 || !x.begin()->first.is_zero()) return std::nullopt;
     return x.begin()->second.re;
   }
 
@@ -337,9 +340,12 @@ class decomposition {
     return sum(scaled(*x, nodes_.number(rational(1, 2))),
                scaled(*y, nodes_.number(rational(sign, 2))));
   }
-  polynomial_exponent sum_of(const polynomial_exponent& x, const polynomial_exponent& y,
-                             bool conjugate) {
-    polynomial_exponent result(std::max(x.size(), y.size()), nodes_.number(0));
+  exponent sum_of(const exponent& x, const exponent& y, bool conjugate) {
+    return {sum_of(x.powers, y.powers, conjugate), sum_of(x.logarithmic, y.logarithmic, conjugate)};
+  }
+  std::vector<complex_node> sum_of(const std::vector<complex_node>& x,
+                                   const std::vector<complex_node>& y, bool conjugate) {
+    std::vector<complex_node> result(std::max(x.size(), y.size()), nodes_.number(0));
     for (std::size_t k = 0; k < x.size(); ++k) result[k] = x[k];
     for (std::size_t k = 0; k < y.size(); ++k) {
       result[k] = nodes_.add(result[k], conjugate ? nodes_.conjugate(y[k]) : y[k]);
@@ -367,9 +373,76 @@ class decomposition {
     }
     return result;
   }
-  [[nodiscard]] bool is_real(const polynomial_exponent& e, const complex_node& c) const {
-    return nodes_.is_real(c) &&
-           std::ranges::all_of(e, [&](const complex_node& z) { return nodes_.is_real(z); });
+  [[nodiscard]] bool is_real(const exponent& e, const complex_node& c) const {
+    const auto has_real_parts_only = [&](const std::vector<complex_node>& x) {
+      return std::ranges::all_of(x, [&](const complex_node& z) { return nodes_.is_real(z); });
+    };
+    return nodes_.is_real(c) && has_real_parts_only(e.powers) && has_real_parts_only(e.logarithmic);
+  }
+
+  /// u + v log x, for x > 0.
+  struct parts_by_logarithm {
+    node_id u;
+    node_id v;
+  };
+  using maybe_parts = std::optional<parts_by_logarithm>;
+  maybe_parts by_logarithm(node_id i) {
+    const auto known = by_logarithm_.find(i);
+    if (known != by_logarithm_.end()) return known->second;
+    const maybe_parts found = made_by_logarithm(i);
+    by_logarithm_.emplace(i, found);
+    return found;
+  }
+  maybe_parts made_by_logarithm(node_id i) {
+    const node_id zero = g_.number(0);
+    const node n = g_[i];
+    if (n.what == operation::log && !polynomials_.is_constant(i)) {
+      // log(c x^k) = log c + k log x for c > 0.
+      const auto p = laurent_polynomial_in_variable(g_, n.left);
+      if (!p || p->coefficients.size() != 1) return std::nullopt;
+      const node_id c = p->coefficients.front();
+      if (!certainly_positive(value_at(g_, c, 64))) return std::nullopt;
+      return parts_by_logarithm{c == g_.number(1) ? zero : nodes_.call("log", c),
+                                g_.number(p->lowest)};
+    }
+    const auto of_two = [&](const auto& f) -> maybe_parts {
+      const maybe_parts x = by_logarithm(n.left);
+      const maybe_parts y = x ? by_logarithm(n.right) : std::nullopt;
+      return y ? f(*x, *y) : std::nullopt;
+    };
+    switch (n.what) {
+      case operation::negate: {
+        const maybe_parts x = by_logarithm(n.left);
+        if (!x) return x;
+        return parts_by_logarithm{nodes_.minus(x->u), nodes_.minus(x->v)};
+      }
+      case operation::add:
+        return of_two([&](const auto& x, const auto& y) -> maybe_parts {
+          return parts_by_logarithm{nodes_.sum(x.u, y.u), nodes_.sum(x.v, y.v)};
+        });
+      case operation::subtract:
+        return of_two([&](const auto& x, const auto& y) -> maybe_parts {
+          return parts_by_logarithm{nodes_.difference(x.u, y.u), nodes_.difference(x.v, y.v)};
+        });
+      case operation::multiply:
+        return of_two([&](const auto& x, const auto& y) -> maybe_parts {
+          if (x.v != zero && y.v != zero) return std::nullopt;
+          return parts_by_logarithm{nodes_.product(x.u, y.u),
+                                    nodes_.sum(nodes_.product(x.u, y.v), nodes_.product(x.v, y.u))};
+        });
+      case operation::divide:
+        return of_two([&](const auto& x, const auto& y) -> maybe_parts {
+          if (y.v != zero) return std::nullopt;
+          return parts_by_logarithm{x.u == zero ? zero : divide(g_, x.u, y.u),
+                                    x.v == zero ? zero : divide(g_, x.v, y.u)};
+        });
+      default:
+        for (const node_id k : operands_at(g_, i)) {
+          const maybe_parts x = by_logarithm(k);
+          if (!x || x->v != zero) return std::nullopt;
+        }
+        return parts_by_logarithm{i, zero};
+    }
   }
   /// exp((a + i b) scale w) for a polynomial w, where a or b is 0.
   maybe_terms exponential(const exponential_terms& of, const rational& a, const rational& b,
@@ -377,12 +450,24 @@ class decomposition {
     std::optional<node_id> w = steady_node(of);
     if (!w) return std::nullopt;
     if (scale) w = nodes_.product(*scale, *w);
-    const auto c = polynomials_.coefficients_of(*w);
+    auto c = polynomials_.coefficients_of(*w);
+    std::vector<node_id> of_logarithm;
+    if (!c && allows_logarithms_) {
+      const maybe_parts parts = by_logarithm(*w);
+      if (!parts) return std::nullopt;
+      c = polynomials_.coefficients_of(parts->u);
+      const auto l = polynomials_.coefficients_of(parts->v);
+      if (!l) return std::nullopt;
+      of_logarithm = *l;
+    }
     if (!c) return std::nullopt;
     const complex_node factor{g_.number(a), g_.number(b)};
-    polynomial_exponent e;
+    exponent e;
     for (std::size_t k = 1; k < c->size(); ++k) {
-      e.push_back(nodes_.multiply(factor, nodes_.real((*c)[k])));
+      e.powers.push_back(nodes_.multiply(factor, nodes_.real((*c)[k])));
+    }
+    for (const node_id l : of_logarithm) {
+      e.logarithmic.push_back(nodes_.multiply(factor, nodes_.real(l)));
     }
     complex_node amplitude = nodes_.number(1);
     if (!c->empty() && c->front() != g_.number(0)) {
@@ -397,7 +482,9 @@ class decomposition {
   graph& g_;
   complex_nodes nodes_;
   polynomial_nodes polynomials_;
+  bool allows_logarithms_;
   std::map<node_id, exponential_terms> known_;
+  std::map<node_id, maybe_parts> by_logarithm_;
 };
 
 }  // namespace
@@ -434,9 +521,9 @@ bool has_other_than_entire(const graph& g) {
   return false;
 }
 
-std::optional<exponential_terms> exponential_terms_of(graph& g) {
+std::optional<exponential_terms> exponential_terms_of(graph& g, bool allows_logarithms) {
   try {
-    return exponential_sum_impl::decomposition(g).root();
+    return exponential_sum_impl::decomposition(g, allows_logarithms).root();
   } catch (const undefined_operation&) {
     return std::nullopt;  // an operation has no value anywhere
   }

@@ -5,12 +5,14 @@
 //   f(x) = Re of the sum of (u + i v)(x) exp(E(x)),   E(x) = the sum of e_j x^j, j >= 1,
 //
 // with u and v real formulas in which the variable stands in no exponential, sine or cosine, and
-// complex numbers e_j. Each step is an identity:
+// complex numbers e_j; where that is asked for, E(x) has a sum of l_j x^j log x beside these, for
+// x > 0. Each step is an identity:
 //   Re p Re q = Re (p q + p conj(q)) / 2,  cos w = Re exp(i w),  sin w = Re(-i exp(i w)),
 //   exp(c + w) = exp(c) exp(w),  cosh w = (exp(w) + exp(-w)) / 2,  sinh w = (exp(w) - exp(-w)) / 2.
 
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -56,11 +58,19 @@ class complex_nodes {
   node_id zero_;
 };
 
-/// e_1, e_2, ..., the last of them not 0.
-using polynomial_exponent = std::vector<complex_node>;
+/// E, by its coefficients; the last of each is not 0.
+struct exponent {
+  std::vector<complex_node> powers;       // e_1, e_2, ...
+  std::vector<complex_node> logarithmic;  // l_0, l_1, ...
+
+  [[nodiscard]] bool is_zero() const { return powers.empty() && logarithmic.empty(); }
+  friend bool operator<(const exponent& x, const exponent& y) {
+    return std::tie(x.powers, x.logarithmic) < std::tie(y.powers, y.logarithmic);
+  }
+};
 
 /// u + i v by the exponents E; u and v are nodes of the graph that the sum was made in.
-using exponential_terms = std::map<polynomial_exponent, complex_node>;
+using exponential_terms = std::map<exponent, complex_node>;
 
 /// The coefficients of 1, x, x^2, ... where the node is a polynomial in the variable with
 /// coefficients without it, of a degree of at most 64; the last of them is not the number 0.
@@ -81,8 +91,9 @@ struct laurent_nodes {
 /// Whether there is an operation of what varies that no entire sum of exponentials is made by.
 [[nodiscard]] bool has_other_than_entire(const graph& g);
 
-/// The sum that the root of g is; what it is made of joins g. None where it is no such sum, or one
-/// of more than 256 terms.
-[[nodiscard]] std::optional<exponential_terms> exponential_terms_of(graph& g);
+/// The sum that the root of g is; what it is made of joins g. Exponents have logarithms only where
+/// these are allowed. None where it is no such sum, or one of more than 256 terms.
+[[nodiscard]] std::optional<exponential_terms> exponential_terms_of(graph& g,
+                                                                    bool allows_logarithms = false);
 
 }  // namespace polhode::detail

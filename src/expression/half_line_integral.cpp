@@ -84,8 +84,8 @@ class integral_over_half_line {
     const auto sum = detail::exponential_terms_of(g_);
     if (!sum) return false;
     for (const auto& [e, amplitude] : *sum) {
-      if (e.size() > 1) return false;
-      const complex_node l = e.empty() ? nodes_.number(0) : e.front();
+      if (e.powers.size() > 1) return false;
+      const complex_node l = e.powers.empty() ? nodes_.number(0) : e.powers.front();
       const auto re = detail::laurent_polynomial_in_variable(g_, amplitude.re);
       const auto im = detail::laurent_polynomial_in_variable(g_, amplitude.im);
       if (!re || !im) return false;

@@ -33,6 +33,17 @@
 // exp(-alpha d_n R^n/2) <= exp(-pi d_n R^n/(8n)). So the arc contributes nothing in the limit,
 // whatever power of R is beside these.
 //
+// A sum Q(z) log z in phi, with a real polynomial Q of degree l <= n, the sum of q_j w^j around p,
+// where p > 0. For w = R e^(i alpha) in the sector, |z| >= R, 0 <= arg z <= alpha, and
+//   Im(Q log z) = Im Q log |z| + Re Q arg z,
+// with |Im Q| <= alpha times the sum of j |q_j| R^j, and |Re Q| at most the sum of |q_j| R^j.
+//   l < n, with d_n > 0: this is at least -alpha O(R^l log R), and changes nothing above.
+//   l = n, with q_n > 0 and any polynomial of degree n or less beside it: Im Q is at least
+//     alpha (2 n q_n R^n/pi - O(R^(n-1))), Re Q at least -O(R^(n-1)), as cos(n alpha) >= 0, and
+//     the polynomial at least -alpha O(R^n). So Im phi >= alpha q_n R^n log(R)/2 for great R, and
+//     the arc contributes at most 2 C' R^(m+1-n)/(q_n log R): m <= n - 1 is enough.
+// z^(i q_0), whose size is exp(-q_0 arg z), is the case l = 0.
+//
 // h is made of the variable by sums, products, quotients, powers and logarithms. Its degree m comes
 // from these, that of a logarithm being any number above 0. A divisor that is a polynomial with the
 // coefficients c_j, d_j those around p, has no zero in the sector, and is at least C |z|^d there, C
@@ -89,24 +100,30 @@ class turned_rays {
   /// Whether it is such a sum.
   bool prepare() {
     const node_id zero = g_.number(0);
-    auto terms = detail::exponential_terms_of(g_);
+    auto terms = detail::exponential_terms_of(g_, true);
     if (!terms) return false;
     for (auto& [e, h] : *terms) {
-      oscillation part{{}, {}, h};
-      for (const complex_node& c : e) {
+      oscillation part{{}, {}, {}, h};
+      for (const complex_node& c : e.powers) {
         part.phase.push_back(c.im);
         part.size.push_back(c.re);
+      }
+      for (const complex_node& c : e.logarithmic) {
+        if (c.re != zero) return false;
+        part.logarithmic.push_back(c.im);
       }
       for (auto* c : {&part.phase, &part.size}) {
         while (!c->empty() && c->back() == zero) c->pop_back();
       }
-      if (!part.phase.empty()) {
-        if (part.size.size() > part.phase.size() || !make_leading_positive(part)) return false;
+      if (!part.is_steady()) {
+        if (part.degree() == 0 || part.size.size() > part.degree() ||
+            !make_leading_positive(part)) {
+          return false;
+        }
       }
       parts_.push_back(std::move(part));
     }
-    return !parts_.empty() &&
-           std::ranges::any_of(parts_, [](const auto& p) { return !p.phase.empty(); });
+    return !parts_.empty() && !std::ranges::all_of(parts_, &oscillation::is_steady);
   }
 
   /// Whether the rays may start at p >= 0, for an integral up to `end`, or up to infinity. With
@@ -116,19 +133,23 @@ class turned_rays {
     end_ = end;
     return std::ranges::all_of(parts_, [&](const oscillation& part) {
       growths_.clear();
-      n_ = static_cast<long>(part.phase.size());
-      if (n_ == 0) return true;
+      n_ = static_cast<long>(part.degree());
+      if (part.is_steady()) return true;
+      if (!part.logarithmic.empty() && p == 0) return false;
       for (const node_id h : {part.amplitude.re, part.amplitude.im}) {
         if (h == g_.number(0)) continue;
         const auto of = growth_of(h);
         if (!of) return false;
-        if (!end && !(of->most < n_ - 1) && !decays(part)) return false;
+        const bool converges =
+            of->most < n_ - 1 || (of->most == n_ - 1 && part.is_led_by_logarithm());
+        if (!end && !converges && !decays(part)) return false;
       }
       if (!end && !never_grows(part)) return false;
       if (!only_rising) return true;
+      const auto is_not_negative = [&](node_id c) { return !certainly_positive(-value_of(c)); };
       const std::vector<node_id> d = shifted(with_constant_0(part.phase));
-      return std::all_of(d.begin() + 1, d.end(),
-                         [&](node_id c) { return !certainly_positive(-value_of(c)); });
+      return std::all_of(d.begin() + 1, d.end(), is_not_negative) &&
+             std::ranges::all_of(shifted(part.logarithmic), is_not_negative);
     });
   }
 
@@ -142,6 +163,12 @@ class turned_rays {
         const auto n = static_cast<long>(j + 1);
         turn += value_of(part.phase[j]) * (pow(ball(q, bits), n) - pow(ball(p, bits), n));
       }
+      for (std::size_t j = part.logarithmic.size(); j-- > 0 && p > 0;) {
+        const auto at = [&](const rational& x) {
+          return pow(ball(x, bits), static_cast<long>(j)) * log(ball(x, bits));
+        };
+        turn += value_of(part.logarithmic[j]) * (at(q) - at(p));
+      }
       if (certainly_less(most, abs(turn))) most = abs(turn);
     }
     return most.is_bounded() ? static_cast<double>(upper_rational(most)) / 6.3 : 0;
@@ -151,7 +178,7 @@ class turned_rays {
   std::optional<node_id> steady_part() {
     std::optional<node_id> sum;
     for (const oscillation& part : parts_) {
-      if (!part.phase.empty()) continue;
+      if (!part.is_steady()) continue;
       node_id f = part.amplitude.re;
       if (!part.size.empty()) {
         node_id exponent = g_.number(0);
@@ -170,7 +197,7 @@ class turned_rays {
     start_ = p;
     std::vector<node_id> result;
     for (const oscillation& part : parts_) {
-      if (part.phase.empty()) continue;
+      if (part.is_steady()) continue;
       for (const node_id root : on_ray(part)) result.push_back(root);
     }
     return result;
@@ -178,11 +205,19 @@ class turned_rays {
   [[nodiscard]] const detail::graph& graph() const { return g_; }
 
  private:
-  /// Re amplitude exp(size + i phase).
+  /// Re amplitude exp(size + i (phase + logarithmic log x)).
   struct oscillation {
-    std::vector<node_id> phase;  // the coefficients of x, x^2, ...
-    std::vector<node_id> size;   // likewise
+    std::vector<node_id> phase;        // the coefficients of x, x^2, ...
+    std::vector<node_id> size;         // likewise
+    std::vector<node_id> logarithmic;  // of 1, x, x^2, ...
     complex_node amplitude;
+
+    [[nodiscard]] bool is_steady() const { return phase.empty() && logarithmic.empty(); }
+    /// The greater degree of the two polynomials in the phase.
+    [[nodiscard]] std::size_t degree() const {
+      return std::max(phase.size(), logarithmic.size() - (logarithmic.empty() ? 0 : 1));
+    }
+    [[nodiscard]] bool is_led_by_logarithm() const { return logarithmic.size() > degree(); }
   };
   [[nodiscard]] std::vector<node_id> with_constant_0(const std::vector<node_id>& c) {
     std::vector<node_id> result{g_.number(0)};
@@ -212,10 +247,13 @@ class turned_rays {
 
   /// Re h exp(i phi) = Re conj(h) exp(-i phi).
   bool make_leading_positive(oscillation& part) {
-    const ball leading = value_of(part.phase.back());
+    const ball leading =
+        value_of(part.is_led_by_logarithm() ? part.logarithmic.back() : part.phase.back());
     if (certainly_positive(leading)) return true;
     if (!certainly_positive(-leading)) return false;
-    for (node_id& c : part.phase) c = nodes_.minus(c);
+    for (auto* polynomial : {&part.phase, &part.logarithmic}) {
+      for (node_id& c : *polynomial) c = nodes_.minus(c);
+    }
     part.amplitude = nodes_.conjugate(part.amplitude);
     return true;
   }
@@ -392,7 +430,7 @@ class turned_rays {
   }
   /// The part's formula, in two summands where it has logarithms: their growth is known one by one.
   std::vector<node_id> on_ray(const oscillation& part) {
-    n_ = static_cast<long>(part.phase.size());
+    n_ = static_cast<long>(part.degree());
     z_ = nodes_.add(nodes_.number(start_), nodes_.multiply(turn(1, n_), nodes_.real(s_)));
     at_z_.clear();
     has_logarithm_ = false;
@@ -401,7 +439,13 @@ class turned_rays {
     if (part.amplitude.im != g_.number(0)) {
       h = nodes_.add(h, nodes_.multiply(unit, turned_amplitude(part.amplitude.im)));
     }
-    const complex_node phase = polynomial_at_z(with_constant_0(part.phase), 0);
+    complex_node phase = polynomial_at_z(with_constant_0(part.phase), 0);
+    if (!part.logarithmic.empty()) {
+      const node_id size = nodes_.call("log", square_of_size(z_));
+      const complex_node logarithm{nodes_.product(g_.number(rational(1, 2)), size),
+                                   nodes_.call("atan", detail::divide(g_, z_.im, z_.re))};
+      phase = nodes_.add(phase, nodes_.multiply(polynomial_at_z(part.logarithmic, 0), logarithm));
+    }
     const complex_node size = polynomial_at_z(with_constant_0(part.size), 0);
     const node_id angle = nodes_.sum(phase.re, size.im);
     const complex_node wave{nodes_.call("cos", angle), nodes_.call("sin", angle)};
@@ -511,7 +555,7 @@ class turned_rays {
   node_id s_;
   rational start_;
   std::optional<rational> end_;
-  long n_ = 0;  // the degree of the part's phase
+  long n_ = 0;  // the degree n of the part's phase, or l
   std::vector<oscillation> parts_;
   std::map<node_id, ball> values_;
   std::map<node_id, std::optional<growth>> growths_;

@@ -109,8 +109,8 @@ function_structure function_structure::fresh(jet<ball, 1> over, ball at_point,
 
 // Proof of is_defined_at_zeros. A product with one vanishing factor g is made of parts that are
 // defined all over the box, and of parts such as sqrt(u) where u has a vanishing factor: that is g,
-// and at its zeros u is 0, where the part is defined, if its denominator is not 0 there. A u without
-// a vanishing factor may be negative there.
+// and at its zeros u is 0, where the part is defined, if its denominator is not 0 there. A u
+// without a vanishing factor may be negative there.
 function_structure function_structure::with_zeros_of(const function_structure& u) && {
   const auto may_vanish = [](const ball& t) { return t.is_undefined() || contains_zero(t); };
   numerator_.factors = u.numerator_.factors;

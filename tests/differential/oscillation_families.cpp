@@ -1,6 +1,8 @@
 // Integrals of sines and cosines of polynomials, to infinity and over long ranges, and of sums of
 // exponentials times powers.
 
+#include <algorithm>
+
 #include "integrals.hpp"
 
 namespace polhode::differential {
@@ -59,6 +61,45 @@ integral_case to_infinity(maker& m) {
   const term from = m.near(m.scattered(0.1, 10));
   integral_case c{derivative(f), from, "inf", few_digits(m)};
   c.value = -substituted(f, "x", from);
+  c.is_cheap = true;
+  return c;
+}
+
+/// P(x) + Q(x) log(c x), where Q is not 0, and often of the greatest degree.
+term phase_with_logarithm(maker& m) {
+  const long degree = m.between(0, 2);
+  const term scale = m.one_in(3) ? m.rational_near(m.scattered(0.2, 5)) : term(1);
+  const term logarithm = m.one_in(4) ? -call("log", scale / x) : call("log", scale * x);
+  term result = (m.one_in(3) ? m.near(m.scattered(0.2, 4)) : m.rational_near(m.scattered(0.2, 4))) *
+                power(x, degree) * logarithm;
+  if (degree > 0 && m.one_in(3)) result = result + m.rational_near(m.within(-3, 3)) * logarithm;
+  const long other = std::max(1L, m.one_in(2) ? degree : m.between(1, 3));
+  result = result + m.rational_near(m.within(-4, 4)) * power(x, other);
+  if (degree == 0) result = result + m.rational_near(m.scattered(0.2, 4)) * power(x, 3);
+  return m.one_in(3) ? -result : result;
+}
+
+/// The same with logarithms in the phase; or from 0 on, in 1/x.
+integral_case to_infinity_with_logarithms(maker& m) {
+  const term f = decaying(m) * wave(m, phase_with_logarithm(m));
+  const term from = m.near(m.scattered(0.2, 8));
+  integral_case c{derivative(f), from, "inf", few_digits(m)};
+  c.value = -substituted(f, "x", from);
+  if (m.one_in(4)) {
+    const term in_reciprocal = substituted(f, "x", 1 / x);
+    const term to = m.near(m.scattered(0.1, 5));
+    c = {derivative(in_reciprocal), 0, to, few_digits(m)};
+    c.value = substituted(in_reciprocal, "x", to);
+  }
+  return c;
+}
+
+/// The derivative of what does not tend to 0.
+integral_case divergent_with_logarithms(maker& m) {
+  const term size = m.any_of<term>({1, call("log", x + 1), x / (x + 1), call("sqrt", x)});
+  integral_case c{derivative(size * wave(m, phase_with_logarithm(m))), m.near(m.scattered(0.2, 8)),
+                  "inf", few_digits(m)};
+  c.diverges = true;
   c.is_cheap = true;
   return c;
 }
@@ -557,6 +598,8 @@ std::vector<integral_family> oscillation_families() {
   return {
       {"oscillations to infinity", 10, to_infinity},
       {"oscillations that decay to infinity", 10, to_infinity_with_decay},
+      {"oscillations with logarithms", 4, to_infinity_with_logarithms},
+      {"oscillations with logarithms that do not converge", 6, divergent_with_logarithms},
       {"oscillations that grow", 5, divergent_by_growth},
       {"products of oscillations", 6, products},
       {"periodic functions times what decays", 6, periodic_tails},

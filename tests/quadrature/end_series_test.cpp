@@ -315,6 +315,40 @@ TEST(TailSeries, HasNoBoundWithoutDecayOrBelowItsStart) {
   EXPECT_TRUE((exp(-near) * log(near)).integral_beyond(ball(rational(1, 2), 64)).is_infinite());
 }
 
+// Both bounds touch at Y: log y at least its value there, and at most its tangent at 64. With the
+// slope g < 0 of the exponent at Y, which falls beyond, the integral of e^h over y >= Y is at least
+// e^h(Y) times that of e^((g - 1)(y - Y)) over one unit, so long as the slope is above g - 1 there.
+TEST(TailSeries, OfExponentsWithLogarithms) {
+  constexpr precision p = 200;
+  const auto x = [](double r) { return tail_series::argument(known_number(rational(1)), r); };
+  const auto expect_between = [](const tail_series& f, const ball& y, const ball& value) {
+    const magnitude found = f.integral_beyond(y);
+    EXPECT_GE(found, value.magnitude_lower());
+    EXPECT_LE(found, (value * 20).magnitude_upper());
+  };
+  const auto at_least = [](const ball& height, const ball& slope) {
+    return exp(height) * (1 - exp(slope - 1)) / (1 - slope);
+  };
+  {  // h = -y log y with the slope -log y - 1
+    const ball y(4, p);
+    expect_between(exp(-(x(0.25) * log(x(0.25)))), y, at_least(-(y * log(y)), -log(y) - 1));
+  }
+  {  // h = -y log^2 y with the slope -log^2 y - 2 log y
+    const ball y(8, p);
+    const ball l = log(y);
+    expect_between(exp(-(x(0.125) * log(x(0.125)) * log(x(0.125)))), y,
+                   at_least(-(y * l * l), -(l * l) - 2 * l));
+  }
+  {  // h = y log y - y^2/8 with the slope log y + 1 - y/4
+    const ball y(64, p);
+    const tail_series s = x(0x1p-6);
+    expect_between(exp(s * log(s) - s * s / 8), y,
+                   at_least(y * log(y) - y * y / 8, log(y) + 1 - y / 4));
+  }
+  // Terms of a sign for which nothing is known.
+  EXPECT_TRUE(exp(x(0.25) * log(x(0.25))).integral_beyond(ball(8, p)).is_infinite());
+}
+
 // x^(n/2048) is bounded by the power with the next exponent in 1024ths, above for x >= 1 and below
 // for x <= 1: far out this is a percent more than the tail itself, and the exponent before it less.
 TEST(TailSeries, OfAPowerIsBoundedFarOut) {

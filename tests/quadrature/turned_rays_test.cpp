@@ -33,6 +33,31 @@ TEST(TurnedRays, OfPolynomialPhases) {
       20'000);
 }
 
+/// The third is problem 1 of L. N. Trefethen's hundred-digit challenge (SIAM News 35, 2002).
+TEST(TurnedRays, OfPhasesWithLogarithms) {
+  expect_known(
+      {
+          {"cos(x*log(x))", "1", "inf", "0.2103136155664748202974779764213519841999"},
+          {"cos(x*log(x))/x", "1", "inf", "0.323367431677778761399370087952170446651"},
+          {"cos(log(x)/x)/x", "0", "1", "0.323367431677778761399370087952170446651"},
+          {"cos(log(1/x)*x^-1)/x^2", "0", "1", "0.2103136155664748202974779764213519841999"},
+          {"sin(x+log(x))/x", "1", "inf", "0.3473114490623064158436131288873806606395"},
+          {"sin(x^2*log(x))", "1", "inf", "0.432731580242724153003975123400258161494"},
+          {"cos(x*log(x)-3*x)/x", "2", "inf", "1.234361377481723237854968887509109257379"},
+          {"cos(x*log(2*x)-x^2)/x", "1", "inf", "0.3926139415421097293966421966222238519583"},
+          {"cos(1000*x*log(x))", "1", "100", "-0.00006455905904734743756404636057907433803186"},
+      },
+      20'000);
+}
+
+TEST(TurnedRays, OfPhasesWithLogarithmsOnlyWhereTheyConverge) {
+  for (const char* text : {"(1+log(x))*cos(x*log(x))", "x*cos(x*log(x))", "log(x)*cos(x*log(x))",
+                           "cos(2*log(x))", "x*cos(x^2+x*log(x))"}) {
+    SCOPED_TRACE(text);
+    EXPECT_NE(integrate(parse(text), 1, end_point::infinity()).verdict, status::certified);
+  }
+}
+
 TEST(TurnedRays, OfManyTurns) {
   expect_known(
       {

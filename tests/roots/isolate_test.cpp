@@ -763,10 +763,10 @@ TEST(IsolateRoots, AtABranchPointAreOnlyWhereTheWholeIsDefined) {
   const root_set touching = isolate_roots(parse("sqrt(x-sqrt(2))*sqrt(sqrt(2)-x)"), 0, 3);
   ASSERT_EQ(touching.regions.size(), 1U);
   EXPECT_EQ(touching.regions[0].verdict, root_verdict::unresolved);
-  for (const char* text :
-       {"log(x^2-2)*sqrt(x^2-2)", "sqrt((x^2-2)/(x-sqrt(2)))", "sqrt(x^2-2)*exp(1/(x-sqrt(2)))",
-        "exp(1/(x-sqrt(2)))*sqrt(x^2-2)", "(sqrt(x^2-2)*exp(1/(x-sqrt(2))))^2",
-        "sqrt(x^2-2)/exp(1/(x-sqrt(2)))"}) {
+  for (const char* text : {"log(x^2-2)*sqrt(x^2-2)", "sqrt((x^2-2)/(x-sqrt(2)))",
+                           "sqrt(x^2-2)*exp(1/(x-sqrt(2)))", "exp(1/(x-sqrt(2)))*sqrt(x^2-2)",
+                           "(sqrt(x^2-2)*exp(1/(x-sqrt(2))))^2", "sqrt(x^2-2)/exp(1/(x-sqrt(2)))",
+                           "sqrt((x^2-2)*exp(1/(x-sqrt(2))))", "(x-sqrt(2))^(sqrt(2)-x)"}) {
     SCOPED_TRACE(text);
     for (const root_region& r : isolate_roots(parse(text), 0, rational(8, 5)).regions) {
       EXPECT_EQ(r.verdict, root_verdict::unresolved);

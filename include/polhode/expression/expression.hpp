@@ -257,10 +257,10 @@ class expression {
   /// Formulas g_j in s with: the integral of f from `start` to infinity is the sum of those of the
   /// g_j from 0 to infinity, and the g_j decay where f oscillates.
   struct rays;
-  /// The rays for a formula f of one variable that is a sum of sines and cosines of polynomials
-  /// times rational functions of the variable and of powers and logarithms of polynomials, small
-  /// enough for its integral to converge; start >= from. Theorem and proof: turned_rays.cpp. None
-  /// for other formulas, and long ones.
+  /// The rays for a formula f of one variable that is a sum of sines and cosines of
+  /// P(x) + Q(x) log x with polynomials P and Q, times rational functions of the variable and of
+  /// powers and logarithms of polynomials, small enough for its integral to converge; start >=
+  /// from. Theorem and proof: turned_rays.cpp. None for other formulas, and long ones.
   [[nodiscard]] std::optional<rays> on_turned_rays(const rational& from) const;
   /// The integral of such an f, whatever its size, from a start in [a, b] to b as those of
   /// `from_start`, less those of `from_end`, from 0 to infinity, and that of `steady`, if there is
@@ -325,7 +325,8 @@ class expression {
   /// others, and long ones.
   [[nodiscard]] std::optional<expression> by_tangent(const integer& k) const;
   /// f(1/u)/u^2 as a formula in u > 0, for a formula f of one variable with powers of 1/x under
-  /// abs, min, max, floor or ceil: "floor(1/x)" is "floor(u)/u^2". None for others, and long ones.
+  /// abs, min, max, floor or ceil, or beside a logarithm under a sine or cosine: "floor(1/x)" is
+  /// "floor(u)/u^2". None for others, and long ones.
   [[nodiscard]] std::optional<expression> by_reciprocal() const;
   /// f as s A and (T - s) A for a factor T that seems to tend to s = 1 or -1 exponentially for x ->
   /// inf, and a formula with sines or cosines: T is tanh, 1/tanh, erf or 1/(1 + e^-u)

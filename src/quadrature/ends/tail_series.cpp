@@ -255,7 +255,40 @@ tail_series exp(const tail_series& x) {
   }
   const end_series h = x.h_.simplified();
   if (h.log_degree() == 0 && h.exponent() < 0) return x.with(h, x.one_, double_interval(1));
+  if (h.log_degree() > 0 && h.exponent() < 0) {
+    if (const auto bound = x.bound_without_logarithms(h)) {
+      return x.with(*bound, x.one_, double_interval(0.0, 1.0));
+    }
+  }
   return x.with(std::nullopt, exp(h), double_interval(1));
+}
+
+// With L = log t <= l < 0, L^k - l^k is negative for odd k, and positive for even k. Of the other
+// sign is a lower term with k = 1: log y <= y/64 - 1 + log 64 < y/64 + 79/25 for y = 1/t, as the
+// tangent of log at 64 lies above it.
+std::optional<end_series> tail_series::bound_without_logarithms(const end_series& h) const {
+  const ball logarithm = log(ball::exactly(r_, 64));
+  if (!certainly_negative(logarithm)) return std::nullopt;
+  const rational l = upper_rational(logarithm);
+  end_series bound = h.coefficient(0);
+  rational power = 1;
+  for (int k = 1; k <= h.log_degree(); ++k) {
+    power *= l;
+    const end_series c = h.coefficient(k);
+    if (c.is_zero()) continue;
+    if (c.sign() == (k % 2 != 0 ? 1 : -1)) {
+      bound = bound + c * power;
+    } else if (k == 1 && c.sign() == -1) {
+      const end_series y =
+          end_series::argument(known_number(rational(0)), known_number(rational(1)), -1, r_);
+      bound = bound - c * (y * rational(1, 64) + rational(79, 25));
+    } else {
+      return std::nullopt;
+    }
+  }
+  bound = bound.simplified();
+  if (bound.is_blocked() || bound.log_degree() != 0 || bound.exponent() >= 0) return std::nullopt;
+  return bound;
 }
 
 tail_series tail_series::exp_of_growing() const {

@@ -162,6 +162,10 @@ class tail_series {
   /// 4/e: x <= e phi |h| u, x <= (e phi/2)^2 |h| u. With H for that bound the value is e^H times
   /// something in (0, 1].
   [[nodiscard]] tail_series exp_of_growing() const;
+  /// A series without logarithms that is at least h for 0 < t <= r, with a negative power of t: the
+  /// one of (log t)/t is (log r)/t, so that t^(1/t) is e^((log r)/t) times something in (0, 1].
+  /// Nothing where a term has not the sign for that.
+  [[nodiscard]] std::optional<end_series> bound_without_logarithms(const end_series& h) const;
   /// It decays exponentially, and is at most 1/2 in size.
   [[nodiscard]] bool is_small() const;
   /// U is 1, and no function of which only a range is known.

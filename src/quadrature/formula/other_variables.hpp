@@ -11,8 +11,8 @@
 namespace polhode::detail {
 
 /// The integral of f over [a, b], a <= 0 <= b, as that of f(1/u)/u^2 beyond some u on each side of
-/// 0 where f has steps or kinks at ever smaller distances (expression::by_reciprocal), and what is
-/// left. None for other formulas and ranges.
+/// 0 where f has steps, kinks or waves at ever smaller distances (expression::by_reciprocal), and
+/// what is left. None for other formulas and ranges.
 [[nodiscard]] std::vector<part> parts_in_reciprocal(const expression& f, const end_point& a,
                                                     const end_point& b);
 

@@ -49,7 +49,8 @@ class turned_rays_strategy final : public quadrature_strategy {
         .has_value();
   }
   [[nodiscard]] std::string_view need() const override {
-    return "turned rays need sines or cosines of polynomials, or of exponentials of linear forms";
+    return "turned rays need sines or cosines of polynomials, of polynomials times log(x), or of "
+           "exponentials of linear forms";
   }
 };
 

@@ -450,7 +450,7 @@ class examination {
     if (zeros.size() == 1 && poles.empty() && zeros.front()->is_branch) {
       // f has the zeros of this factor, and is defined there.
       const bool is_defined_there =
-          s->numerator().is_defined_at_zeros && !s->was_divided_by(*zeros.front()) &&
+          s->numerator().is_defined_at_zeros &&
           (!s->denominator() || is_certainly_not_zero(s->denominator()->over[0]));
       const auto root = is_defined_there ? only_root(*zeros.front()) : std::nullopt;
       if (root) {
