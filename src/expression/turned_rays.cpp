@@ -145,11 +145,18 @@ class turned_rays {
         if (!end && !converges && !decays(part)) return false;
       }
       if (!end && !never_grows(part)) return false;
-      if (!only_rising) return true;
-      const auto is_not_negative = [&](node_id c) { return !certainly_positive(-value_of(c)); };
+      // Where the phase falls for long the rays' integrands are as great as e to a power of that
+      // length; beside a logarithm it may be longer than numbers reach.
+      if (!only_rising && part.logarithmic.empty()) return true;
       const std::vector<node_id> d = shifted(with_constant_0(part.phase));
-      return std::all_of(d.begin() + 1, d.end(), is_not_negative) &&
-             std::ranges::all_of(shifted(part.logarithmic), is_not_negative);
+      const std::vector<node_id> q = shifted(part.logarithmic);
+      const ball logarithm = p > 0 ? log(ball(p, bits)) : ball(0, bits);
+      for (std::size_t j = 1; j < std::max(d.size(), q.size()); ++j) {
+        ball rate = j < d.size() ? value_of(d[j]) : ball(0, bits);
+        if (j < q.size()) rate += value_of(q[j]) * logarithm;
+        if (certainly_positive(-rate)) return false;
+      }
+      return true;
     });
   }
 
