@@ -719,7 +719,7 @@ TEST(ZeroFreeEnds, TakeNoLeadingTermBeforeItHolds) {
 
 /// J is 0 at 0, where its formula alone knows its value.
 TEST(IsolateRoots, HaveNoneAtABranchPointOnlyWhereTheValueIsNotZero) {
-  expect_resolved(isolate_roots(parse("x^pi + 1"), 0, 1), 0);
+  expect_resolved(isolate_roots(parse("x^pi - x + 1"), 0, 1), 0);
   if (arb_functions()->empty()) GTEST_SKIP() << "the library was built without Arb";
   expect_resolved(isolate_roots(parse("besselJ(1/2,x)"), -1, 1), 1);
   expect_resolved(isolate_roots(parse("besselJ(1/2,x) + 1"), -1, 1), 0);
@@ -764,12 +764,15 @@ TEST(IsolateRoots, AtABranchPointAreOnlyWhereTheWholeIsDefined) {
   const root_set touching = isolate_roots(parse("sqrt(x-sqrt(2))*sqrt(sqrt(2)-x)"), 0, 3);
   ASSERT_EQ(touching.regions.size(), 1U);
   EXPECT_EQ(touching.regions[0].verdict, root_verdict::unresolved);
+  isolate_options few;
+  few.most_halvings = 30;
+  few.most_boxes = 300;
   for (const char* text : {"log(x^2-2)*sqrt(x^2-2)", "sqrt((x^2-2)/(x-sqrt(2)))",
                            "sqrt(x^2-2)*exp(1/(x-sqrt(2)))", "exp(1/(x-sqrt(2)))*sqrt(x^2-2)",
                            "(sqrt(x^2-2)*exp(1/(x-sqrt(2))))^2", "sqrt(x^2-2)/exp(1/(x-sqrt(2)))",
                            "sqrt((x^2-2)*exp(1/(x-sqrt(2))))", "(x-sqrt(2))^(sqrt(2)-x)"}) {
     SCOPED_TRACE(text);
-    for (const root_region& r : isolate_roots(parse(text), 0, rational(8, 5)).regions) {
+    for (const root_region& r : isolate_roots(parse(text), 0, rational(8, 5), few).regions) {
       EXPECT_EQ(r.verdict, root_verdict::unresolved);
     }
   }
