@@ -719,7 +719,8 @@ TEST(ZeroFreeEnds, TakeNoLeadingTermBeforeItHolds) {
 
 /// J is 0 at 0, where its formula alone knows its value.
 TEST(IsolateRoots, HaveNoneAtABranchPointOnlyWhereTheValueIsNotZero) {
-  expect_resolved(isolate_roots(parse("x^pi - x + 1"), 0, 1), 0);
+  expect_resolved(isolate_roots(parse("x^x + 1"), 0, 1), 0);
+  expect_resolved(isolate_roots(parse("x^x - x + 1"), 0, 1), 0);
   if (arb_functions()->empty()) GTEST_SKIP() << "the library was built without Arb";
   expect_resolved(isolate_roots(parse("besselJ(1/2,x)"), -1, 1), 1);
   expect_resolved(isolate_roots(parse("besselJ(1/2,x) + 1"), -1, 1), 0);
