@@ -79,7 +79,7 @@ class substitution {
       } else if (monomials[i]) {
         places[i] =
             multiply(g_, monomials[i]->c, detail::power(g_, u, g_.number(-monomials[i]->exponent)));
-      } else if (g_[i].what == operation::divide && g_[i].right < size_ && monomials[g_[i].right]) {
+      } else if (g_[i].what == operation::divide && monomials[g_[i].right]) {
         const monomial& divisor = *monomials[g_[i].right];
         places[i] = multiply(g_, divide(g_, places[g_[i].left], divisor.c),
                              detail::power(g_, u, g_.number(divisor.exponent)));

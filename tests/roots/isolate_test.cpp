@@ -761,7 +761,8 @@ TEST(IsolateRoots, AtABranchPointAreOnlyWhereTheWholeIsDefined) {
   expect_none("(x^2-2)^(-pi)");
   expect_none("x^pi + 1");
   expect_none("sqrt(sqrt(2)-x)*log(x-2)");
-  // Not decided, but nothing wrong is said: there is a root at sqrt(2), and none.
+  // Not decided, but nothing wrong is said: the first is defined at its root alone, and the others
+  // have none at sqrt(2).
   const root_set touching = isolate_roots(parse("sqrt(x-sqrt(2))*sqrt(sqrt(2)-x)"), 0, 3);
   ASSERT_EQ(touching.regions.size(), 1U);
   EXPECT_EQ(touching.regions[0].verdict, root_verdict::unresolved);

@@ -264,8 +264,8 @@ tail_series exp(const tail_series& x) {
 }
 
 // With L = log t <= l < 0, L^k - l^k is negative for odd k, and positive for even k. Of the other
-// sign is a lower term with k = 1: log y <= y/64 - 1 + log 64 < y/64 + 79/25 for y = 1/t, as the
-// tangent of log at 64 lies above it.
+// sign is a lower term with k = 1: the tangent of log at 64 lies above it, and log 64 = 6 log 2 is
+// less than 6 * 0.6932 < 4.16, so that log y <= y/64 - 1 + log 64 < y/64 + 79/25 for y = 1/t.
 std::optional<end_series> tail_series::bound_without_logarithms(const end_series& h) const {
   const ball logarithm = log(ball::exactly(r_, 64));
   if (!certainly_negative(logarithm)) return std::nullopt;
