@@ -26,6 +26,9 @@ void expect_checkable(const root_set& found) {
     if (r.verdict == root_verdict::isolated) {
       throw input_error("there is a root at a kink or branch point; it must be simple");
     }
+    if (r.verdict == root_verdict::infinitely_many) {
+      throw input_error("there are infinitely many roots; give a range with a last one");
+    }
   }
   if (!found.is_resolved() || !found.complete) {
     throw input_error("not every place is proved to hold one root; a certificate has no open ones");

@@ -118,6 +118,27 @@ std::vector<expression> expression::constants(std::size_t most) const {
   return result;
 }
 
+expression expression::with_rational_constants() const {
+  const std::vector<char> used = detail::reachable(*graph_);
+  const std::vector<char> varies = detail::varying(*graph_);
+  detail::graph g = *graph_;
+  std::vector<node_id> places(graph_->root + 1, 0);
+  for (node_id i = 0; i <= graph_->root; ++i) {
+    places[i] = i;
+    const int operands = detail::operands_of(g[i].what);
+    const bool is_leaf = operands == 0 && g[i].what != detail::operation::further;
+    if (used[i] == 0 || g.value(i) != nullptr || (is_leaf && varies[i] != 0)) continue;
+    const auto value = varies[i] == 0 ? with_root(*graph_, i).rational_value() : std::nullopt;
+    if (value) {
+      places[i] = g.number(*value);
+    } else if (!is_leaf) {
+      places[i] = detail::with_operands(g, *graph_, i, [&](node_id k) { return places[k]; });
+    }
+  }
+  const node_id root = places[graph_->root];
+  return with_root(std::move(g), root);
+}
+
 expression_names expression::names() const { return {variables_, {}, graph_->further()}; }
 
 ball expression::value(precision p) const {

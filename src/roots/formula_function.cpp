@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "endless_roots.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/gamma_quotients.hpp"
 #include "polhode/expression/evaluation.hpp"
@@ -361,6 +362,12 @@ real_function::real_function(const expression& f) {
     return ends.beside(at, width);
   };
   no_root_beyond_ = [ends](const rational& from) { return ends.beyond(from); };
+  endless_ = [f](int side) {
+    return f.variables().size() == 1 && detail::has_endless_roots(f, side);
+  };
+  endless_in_ = [f](const rational& lower, const rational& upper) {
+    return f.variables().size() == 1 && detail::has_endless_roots_in(f, lower, upper);
+  };
   period_ = [f]() -> std::optional<pi_combination> {
     if (f.variables().size() != 1) return period_of(f);
     const symbol rest =

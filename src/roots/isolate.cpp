@@ -121,7 +121,9 @@ bool root_search::is_finished() const { return state_->pending.empty() && state_
 
 bool root_set::is_resolved() const {
   return complete && std::all_of(regions.begin(), regions.end(), [](const root_region& r) {
-           return is_one_root(r.verdict) && !r.may_lie_outside;
+           const bool is_settled =
+               is_one_root(r.verdict) || r.verdict == root_verdict::infinitely_many;
+           return is_settled && !r.may_lie_outside;
          });
 }
 

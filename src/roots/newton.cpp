@@ -14,6 +14,8 @@ std::string to_text(root_verdict v) {
       return "isolated";
     case root_verdict::at_least_one:
       return "at least one";
+    case root_verdict::infinitely_many:
+      return "infinitely many";
     case root_verdict::none:
       return "none";
     case root_verdict::unresolved:

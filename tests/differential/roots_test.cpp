@@ -113,6 +113,7 @@ std::optional<std::string> error_in(const known_case& k, const root_set& s) {
   }
   for (std::size_t i = 0; i < s.regions.size(); ++i) {
     const root_region& region = s.regions[i];
+    if (region.verdict == root_verdict::infinitely_many) return "said to have no last root";
     if (region.verdict == root_verdict::isolated && (claimed[i] > 1 || possible[i] < 1)) {
       return fmt::format("there are {} roots in {}, not 1", claimed[i],
                          to_decimal(region.enclosure, 20));
@@ -787,6 +788,102 @@ INSTANTIATE_TEST_SUITE_P(
       std::replace(name.begin(), name.end(), ' ', '_');
       return name;
     });
+
+// ---------------------------------------------------------------------------------------------
+// Infinitely many roots
+
+/// A function that oscillates towards an end or a point.
+struct oscillation {
+  root_case c;
+  bool is_endless = false;  // it has infinitely many roots there
+};
+
+/// With sines, cosines and tangents of w(u), u -> infinity; each amplitude outgrows the other part,
+/// or is outgrown.
+oscillation oscillation_of(maker& m) {
+  const term u = "u";
+  const term n = m.between(1, 9);
+  const term k = m.one_in(3) ? m.irrational() : m.rational_near(m.scattered(0.2, 5));
+  const term w = m.any_of<term>({k * u, k * u + m.between(-5, 5), power(u, m.between(2, 3)) + n * u,
+                                 call("sqrt", u), u + 1 / u, call("log", u), k * u * call("log", u),
+                                 call("exp", u / 3), u + call("sin", u) / 2});
+  const term at_rest = m.any_of<term>({1 / u, call("atan", u), 2 + call("exp", -u), u / (u + 1)});
+  const term wave =
+      m.any_of<term>({call("sin", w), call("cos", w), call("sin", w) - call("cos", 2 * w),
+                      power(call("sin", w), 3), call("sin", w) + call("sin", "pi" * w) / 3});
+  const term amplitude =
+      m.any_of<term>({u, call("sqrt", u), call("log", u + 2), power(u, m.between(2, 4)),
+                      term(4) + call("exp", -u), call("exp", u / 4)});
+  const term less =
+      m.any_of<term>({n / u, call("exp", -u), -1 / call("sqrt", u), call("atan", 1 / u)});
+  const term size = call("abs", wave) + 1;  // positive
+  switch (m.between(0, 11)) {
+    case 0:
+    case 1:
+      return {{amplitude * wave + less}, true};
+    case 2:
+      return {{amplitude * (wave + less)}, true};
+    case 3:
+      return {{call("tan", w) - (m.one_in(2) ? amplitude : less)}, true};
+    case 4:
+      return {{amplitude * (1 + call("sin", w))}, true};
+    case 5:
+      return {{1 / call("sin", w) - amplitude * 4}, true};
+    case 6:  // outgrown
+      return {{amplitude * (wave + 4) + less}, false};
+    case 7:
+      return {{amplitude * wave / call("sqrt", u) / 9 + amplitude}, false};
+    case 8:  // a zero of the divisor
+      return {{amplitude * wave / (wave * size)}, false};
+    case 9:
+      return {{amplitude * call("sin", 2 * w) / (call("sin", w) * call("cos", w)) + less}, false};
+    case 10:  // jumps
+      return {{amplitude * (call("floor", wave) + term(1) / 2)}, false};
+    default:  // the angle comes to rest
+      return {{(amplitude + 9) * (call("sin", at_rest) + 2) + less}, false};
+  }
+}
+
+oscillation oscillation_towards_an_end(maker& m) {
+  oscillation o = oscillation_of(m);
+  const long where = m.between(0, 3);
+  const term p = m.one_in(2) ? m.rational_near(m.within(-3, 3)) : m.near(m.within(-3, 3));
+  const term u = where == 0 ? x : where == 1 ? -x : where == 2 ? 1 / (x - p) : 1 / (p - x);
+  o.c.f = substituted(o.c.f, "u", u);
+  o.c.from = where == 1 ? term("-inf") : where == 0 ? term(3) : where == 2 ? p : p - term(1) / 3;
+  o.c.to = where == 1 ? term(-3) : where == 0 ? term("inf") : where == 2 ? p + term(1) / 3 : p;
+  return o;
+}
+
+TEST(endless_roots, are_claimed_where_there_are_such) {
+  run_cases("roots", "oscillations towards an end", 60, [](std::uint64_t seed, counts& c) {
+    maker m(seed);
+    const oscillation o = oscillation_towards_an_end(m);
+    under_way(command_of(o.c));
+    ++c.cases;
+    try {
+      isolate_options options;
+      options.most_boxes = 1'000;
+      options.most_unresolved = 50;
+      options.most_towards_end = 8;
+      const root_set s =
+          isolate_roots(read(o.c.f, {"x"}), end_of(o.c.from), end_of(o.c.to), options);
+      ++c.computed;
+      ++c.checks;
+      const bool is_said = std::ranges::any_of(s.regions, [](const root_region& r) {
+        return r.verdict == root_verdict::infinitely_many;
+      });
+      ++(is_said ? c.certified : c.refused);
+      const bool is_all_said = s.complete && s.is_resolved();
+      if (is_said ? !o.is_endless : is_all_said && o.is_endless) {
+        ++c.wrong;
+        ADD_FAILURE() << command_of(o.c) << '\n' << listed(s);
+      }
+    } catch (const input_error&) {  // the limits are the wrong way round
+      ++c.refused;
+    }
+  });
+}
 
 /// What is wrong in the complex roots of the polynomial whose real roots are known, but for pairs.
 std::optional<std::string> error_in_plane(const known_case& k, const rational_polynomial& p,

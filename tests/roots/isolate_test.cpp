@@ -435,12 +435,11 @@ TEST(IsolateRoots, TowardsInfinity) {
   expect_resolved(
       isolate_roots([](const auto& x) { return atan(x) - 1; }, minus_infinity, infinity), 1);
   expect_resolved(isolate_roots([](const auto& x) { return log(x) - 100; }, 1, infinity), 1);
-  // No proof: it has a root beyond every bound.
+  // It has a root beyond every bound.
   const root_set s =
       isolate_roots([](const auto& x) { return sin(x * x); }, 1, infinity, {.most_boxes = 500});
-  EXPECT_FALSE(s.complete);
-  EXPECT_FALSE(s.is_resolved());
-  EXPECT_EQ(s.regions.back().verdict, root_verdict::unresolved);
+  EXPECT_TRUE(s.is_resolved());
+  EXPECT_EQ(s.regions.back().verdict, root_verdict::infinitely_many);
   EXPECT_FALSE(s.regions.back().box.is_bounded());
   // A limit of 0 from above is no root.
   expect_resolved(isolate_roots([](const auto& x) { return 1 / (1 + exp(x)); }, 0, infinity), 0);
@@ -450,17 +449,22 @@ TEST(IsolateRoots, TowardsInfinity) {
   }
 }
 
-// Towards an end with infinitely many roots the nearest ones are found, and the rest is left open.
+// Towards an end with infinitely many roots the nearest ones are found, and the rest is left.
 TEST(IsolateRoots, EndAfterManyRootsTowardsInfinity) {
   const end_point infinity = end_point::infinity();
-  const auto expect_nearest = [](const root_set& s, bool rightward, std::size_t most) {
-    EXPECT_FALSE(s.complete);
+  const auto expect_rest = [](const root_region& rest) {
+    const bool is_proved = rest.verdict == root_verdict::infinitely_many;
+    EXPECT_TRUE(is_proved || rest.verdict == root_verdict::unresolved);
+    EXPECT_NE(rest.remark.find(is_proved ? "proved" : "infinitely many"), std::string::npos)
+        << rest.remark;
+  };
+  const auto expect_nearest = [&](const root_set& s, bool rightward, std::size_t most) {
     ASSERT_GE(s.regions.size(), 41U);
     ASSERT_LE(s.regions.size(), most);
     const root_region& rest = rightward ? s.regions.back() : s.regions.front();
-    EXPECT_EQ(rest.verdict, root_verdict::unresolved);
+    EXPECT_EQ(s.complete, rest.verdict == root_verdict::infinitely_many);
     EXPECT_FALSE(rest.box.is_bounded());
-    EXPECT_NE(rest.remark.find("infinitely many"), std::string::npos) << rest.remark;
+    expect_rest(rest);
     for (std::size_t k = 1; k < s.regions.size(); ++k) {
       const root_region& root = s.regions[rightward ? k - 1 : k];
       EXPECT_EQ(root.verdict, root_verdict::unique);
@@ -491,17 +495,17 @@ TEST(IsolateRoots, EndAfterManyRootsTowardsInfinity) {
                                                         {"sin(1/x)", -1, 0}}) {
     SCOPED_TRACE(f);
     const root_set s = isolate_roots(parse(f), lower, upper, few);
-    EXPECT_FALSE(s.complete);
     ASSERT_GE(s.regions.size(), 40U);
     const bool is_lower = lower == 0 && std::string(f) != "sin(1/(x-1))";
     const root_region& rest = is_lower ? s.regions.front() : s.regions.back();
-    EXPECT_NE(rest.remark.find("infinitely many"), std::string::npos) << rest.remark;
-    const auto unresolved = std::ranges::count_if(
-        s.regions, [](const root_region& r) { return r.verdict == root_verdict::unresolved; });
-    EXPECT_EQ(unresolved, 1);
+    expect_rest(rest);
+    EXPECT_EQ(s.complete, rest.verdict == root_verdict::infinitely_many);
+    EXPECT_EQ(std::ranges::count_if(s.regions,
+                                    [](const root_region& r) { return !is_one_root(r.verdict); }),
+              1);
   }
   const root_set slow = isolate_roots(parse("sin(log(x))"), 0, 1, few);
-  EXPECT_FALSE(slow.complete);
+  EXPECT_TRUE(slow.complete);
   EXPECT_GE(slow.regions.size(), 41U);
   // Where it is proved that there are none from some point on, all are found.
   expect_resolved(isolate_roots(parse("sin(x)-x/1000"), -infinity, infinity, few), 635);
@@ -531,7 +535,7 @@ TEST(IsolateRoots, TowardsASingularPointInside) {
   const auto open_parts = [](const root_set& s) {
     std::vector<ball> parts;
     for (const root_region& r : s.regions) {
-      if (r.verdict == root_verdict::unresolved) parts.push_back(r.box);
+      if (!is_one_root(r.verdict)) parts.push_back(r.box);
     }
     return parts;
   };
@@ -545,7 +549,7 @@ TEST(IsolateRoots, TowardsASingularPointInside) {
     SCOPED_TRACE(f);
     const ball point = parse(at).value(64);
     const root_set s = isolate_roots(parse(f), -1, 2);
-    EXPECT_FALSE(s.complete);
+    EXPECT_TRUE(s.is_resolved());
     const auto parts = open_parts(s);
     ASSERT_EQ(parts.size(), 1U);
     EXPECT_TRUE(contains(parts.front(), point));
@@ -639,9 +643,9 @@ TEST(IsolateRoots, OfSumsOfExponentialsAndPowersToInfinity) {
   count("exp(x) - 2*exp(x/sqrt(2)) - 1", 1);
   count("cosh(x) - sinh(x/2) - 20*x^(3/2)", 2);
   // As many as half turns.
-  EXPECT_FALSE(
-      isolate_roots(parse("exp(x)*sin(x) - x"), 0, end_point::infinity(), {.most_boxes = 2000})
-          .is_resolved());
+  const root_set half_turns =
+      isolate_roots(parse("exp(x)*sin(x) - x"), 0, end_point::infinity(), {.most_boxes = 2000});
+  EXPECT_EQ(half_turns.regions.back().verdict, root_verdict::infinitely_many);
 }
 
 TEST(IsolateRoots, OfSpecialFunctionsUpToZero) {
@@ -956,7 +960,7 @@ TEST(IsolateRoots, OfAPeriodicFunction) {
   for (const char* f : {"sin(x)", "1 - cos(x)", "cos(x) - sin(x)^2 + 1"}) {
     const root_set all = isolate_roots(parse(f), 1, infinity, {.most_boxes = 500});
     EXPECT_FALSE(all.of_period) << f;
-    EXPECT_FALSE(all.is_resolved()) << f;
+    EXPECT_FALSE(is_one_root(all.regions.back().verdict)) << f;
   }
 }
 

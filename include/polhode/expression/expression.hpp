@@ -225,6 +225,9 @@ class expression {
   /// formulas without variables: "sqrt(2)" and "2*sqrt(2)" of "x^2 - 2*sqrt(2)*x + 2". At most
   /// `most`.
   [[nodiscard]] std::vector<expression> constants(std::size_t most) const;
+  /// The same formula with numbers in place of the parts without variables that rational_value()
+  /// knows: "x*(1 + sin(3*pi/2))" is "x*(1 - 1)".
+  [[nodiscard]] expression with_rational_constants() const;
   /// Numbers, as formulas without variables, at which a divisor of a formula of one variable, or
   /// what stands under a root or a logarithm, may be 0, or a tangent may have a pole: candidates,
   /// found by inverting one operation after the other ("1/(cos(x) - cos(1))": 1 and -1), at most
@@ -281,6 +284,17 @@ class expression {
   /// ("log(abs(sin(x)))*exp(-x)"), likewise.
   struct periodic_products;
   [[nodiscard]] std::optional<periodic_products> as_periodic_products() const;
+  /// Formulas F(x, w), periodic in w, and w(x) with f(x) = F(x, w(x)), for a formula f of one
+  /// variable with sines, cosines or tangents of q w + r, numbers q and r: "x*sin(x^2) + 1" is
+  /// "x*sin(w) + 1" with the angle "x^2". One for each angle, and for each of the periods in it
+  /// that have no common multiple; the other functions are left in F. None of long formulas.
+  struct unwound;
+  [[nodiscard]] std::vector<unwound> unwound_angles() const;
+  /// Whether f is shown to be defined and continuous on a set that is an interval, where sign_of(u)
+  /// returns a sign, 1 or -1, that a formula u has wherever in the set it is defined, and 0 where
+  /// none is known. By the operations of f; those that are not continuous, or have another domain,
+  /// are left undecided.
+  [[nodiscard]] bool is_continuous(const std::function<int(const expression&)>& sign_of) const;
   /// N and d_1, d_2, ... such that, where N and the d_i have values, f has one exactly where no d_i
   /// is 0, and is then N divided by powers of the d_i: sums, products, quotients, whole powers, tan
   /// and tanh over one denominator ("tan(x) - x": sin(x) - x*cos(x); cos(x)). None where that is
@@ -442,6 +456,11 @@ struct expression::periodic_products {
     expression steady;
   };
   std::vector<term> terms;
+};
+struct expression::unwound {
+  expression angle;
+  pi_combination period;  // of F in w
+  expression of_angle;    // F, whose second variable is w
 };
 struct expression::piece {
   std::optional<rational> lower;  // none for -infinity

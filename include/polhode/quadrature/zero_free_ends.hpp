@@ -30,6 +30,9 @@ class zero_free_ends {
   /// The sign, 1 or -1, that f is proved to have at all x >= from, or x <= from where from is
   /// negative, where it is then defined; 0 where none is proved.
   [[nodiscard]] int sign_beyond(const rational& from) const;
+  /// 1 or -1 where f, which is defined at all x >= from > 0, is proved to tend to infinity or
+  /// -infinity for x -> inf; likewise for x <= from < 0; 0 where neither is proved.
+  [[nodiscard]] int infinite_limit_beyond(const rational& from) const;
 
  private:
   struct formula;

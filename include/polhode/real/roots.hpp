@@ -291,6 +291,7 @@ requires real_or_ball<Real>
   result.zero_intervals = found.zero_intervals;
   result.account = found.account;
   for (const root_region& region : found.regions) {
+    result.resolved = result.resolved && region.verdict != root_verdict::infinitely_many;
     result.roots.push_back(detail::root_of<Real>(region, digits, p));
   }
   return result;

@@ -119,11 +119,12 @@ struct root_set {
   std::vector<singular_place> singular;
   /// f is 0 everywhere; there are no regions then.
   bool identically_zero = false;
-  /// The whole interval was searched: no limit was reached.
+  /// The whole interval was searched: no limit was reached. A part that is left where infinitely
+  /// many roots are proved counts as searched.
   bool complete = true;
   isolation_account account;
 
-  /// Every region has one root (is_one_root), and none may lie outside.
+  /// Every region has one root (is_one_root), or infinitely many, and none may lie outside.
   [[nodiscard]] bool is_resolved() const;
 };
 
@@ -143,8 +144,8 @@ struct isolate_options {
   /// is not recognised, or the like.
   long most_unresolved = 2'000;
   /// Towards an infinite end, or a point at which f is not defined, so many roots and singular
-  /// places are found before the rest is left unresolved, unless f is proved to have no root from
-  /// some point on: mostly there are infinitely many.
+  /// places are found before the rest is left, as one region, unless f is proved to have no root
+  /// from some point on. Its verdict is infinitely_many where that is proved, else unresolved.
   long most_towards_end = 100;
   /// The time that one run may take.
   std::optional<std::chrono::milliseconds> most_time = std::nullopt;

@@ -19,6 +19,7 @@ enum class root_verdict {
   multiple,      // there is exactly one, and its multiplicity is proved to be 2 or more
   isolated,      // there is exactly one, where f has no multiplicity: at a kink or branch point
   at_least_one,  // there is one; that it is the only one is not proved
+  infinitely_many,  // there are infinitely many
   none,          // there is none
   unresolved     // nothing is proved: none, one or more
 };

@@ -91,6 +91,13 @@ class real_function {
   [[nodiscard]] bool has_no_root_beyond(const rational& from) const {
     return no_root_beyond_ && no_root_beyond_(from);
   }
+  /// Proved: f has infinitely many roots beyond every number, to the right for side = 1 and to the
+  /// left for side = -1.
+  [[nodiscard]] bool has_endless_roots(int side) const { return endless_ && endless_(side); }
+  /// Proved: f has infinitely many roots between lower and upper, near a point where it is singular.
+  [[nodiscard]] bool has_endless_roots_in(const rational& lower, const rational& upper) const {
+    return endless_in_ && endless_in_(lower, upper);
+  }
   /// A period of f, but for factors that are 0 nowhere, and so of its roots and poles, proved;
   /// nothing where none is found.
   [[nodiscard]] std::optional<pi_combination> period() const {
@@ -110,6 +117,8 @@ class real_function {
   std::function<function_structure(const function_structure&)> structure_;
   std::function<bool(const pi_combination&, const rational&)> no_root_beside_;
   std::function<bool(const rational&)> no_root_beyond_;
+  std::function<bool(int)> endless_;
+  std::function<bool(const rational&, const rational&)> endless_in_;
   std::function<std::optional<pi_combination>()> period_;
   std::shared_ptr<const rational_quotient> quotient_;
   std::shared_ptr<const expression> formula_;

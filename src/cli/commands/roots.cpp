@@ -70,7 +70,9 @@ struct listed_root {
 
   /// Of a number with so many digits, or of two ends that show as many.
   [[nodiscard]] bool is_certified() const {
-    return is_one_root(region.verdict) && has_digits && !region.may_lie_outside;
+    const bool is_settled = region.verdict == root_verdict::infinitely_many ||
+                            (is_one_root(region.verdict) && has_digits);
+    return is_settled && !region.may_lie_outside;
   }
 };
 
@@ -229,10 +231,29 @@ std::string number_text(const listed_root& r, long digits) {
   return fmt::format("from {} to {}", brief.lower, brief.upper);
 }
 
+bool is_finite(const mpfr_float& end) { return mpfr_number_p(end.backend().data()) != 0; }
+
+/// Of an unbounded set the end that is finite, if one is.
+decimal_enclosure decimals_of(const ball& x, long digits) {
+  if (x.is_bounded()) return to_decimal_enclosure(x, digits);
+  decimal_enclosure d;
+  if (x.is_undefined()) return d;
+  if (is_finite(lower(x))) d.lower = to_decimal_enclosure(ball(lower(x)), digits).lower;
+  if (is_finite(upper(x))) d.upper = to_decimal_enclosure(ball(upper(x)), digits).upper;
+  return d;
+}
+json number_json(const ball& x, long digits) {
+  json result = to_json(x, digits);
+  if (x.is_bounded()) return result;
+  const decimal_enclosure d = decimals_of(x, digits);
+  if (!d.lower.empty()) result["lower"] = d.lower;
+  if (!d.upper.empty()) result["upper"] = d.upper;
+  return result;
+}
+
 std::string bound_text(const ball& x) {
   constexpr long few = 12;
   if (x.is_bounded()) return to_decimal(x, few);
-  const auto is_finite = [](const mpfr_float& end) { return mpfr_number_p(end.backend().data()); };
   if (x.is_undefined()) return "the whole line";
   if (is_finite(lower(x))) {
     return fmt::format("from {} towards infinity", to_decimal(ball(lower(x)), few));
@@ -275,6 +296,16 @@ std::string summary(const answer& a) {
           "certified: infinitely many roots; these are all in {}, and they have the period {} "
           "({})\n",
           range_text(*one), to_text(one->period), work);
+    }
+    const auto endless =
+        static_cast<std::size_t>(std::ranges::count_if(a.list, [](const listed_root& r) {
+          return r.region.verdict == root_verdict::infinitely_many;
+        }));
+    if (endless > 0) {
+      const std::string holders = endless == 1 ? "the region that holds them"
+                                               : fmt::format("the {} regions that hold them", endless);
+      return fmt::format("certified: infinitely many roots; outside {} {}, all there are ({})\n",
+                         holders, counted(a.list.size() - endless, "root"), work);
     }
     return fmt::format("certified: {}, all there are ({})\n", counted(a.list.size(), "root"), work);
   }
@@ -329,8 +360,7 @@ std::string as_csv(const answer& a, long digits) {
   for (const listed_root& r : a.list) {
     std::string remark = remark_on(r);
     if (!again.empty()) remark += (remark.empty() ? "" : "; ") + again;
-    decimal_enclosure d;
-    if (r.enclosure.is_bounded()) d = to_decimal_enclosure(r.enclosure, digits);
+    const decimal_enclosure d = decimals_of(r.enclosure, digits);
     result += fmt::format("{},{},{},{},{},{},{},{},{}\n", to_text(r.region.verdict),
                           r.region.multiplicity > 0 ? std::to_string(r.region.multiplicity) : "",
                           d.value, d.radius, d.lower, d.upper, d.digits,
@@ -353,7 +383,7 @@ json as_json(const expression& f, const roots_options& options, const answer& a,
     if (r.region.complex_roots) entry["complex_roots"] = *r.region.complex_roots;
     const std::string remark = remark_on(r);
     if (!remark.empty()) entry["remark"] = remark;
-    entry["number"] = to_json(r.enclosure, digits);
+    entry["number"] = number_json(r.enclosure, digits);
     if (r.exact) entry["number"]["rational"] = to_text(*r.exact);
     list.push_back(std::move(entry));
   }
@@ -570,9 +600,11 @@ command roots_command() {
       "  multiple M     a root of multiplicity M, the only one in its place\n"
       "  isolated       a root, the only one in its place, at a kink or branch point\n"
       "  at least one   a root, perhaps with others beside it\n"
+      "  infinitely many\n"
+      "                 roots towards infinity or a point, of which the nearest are listed before\n"
       "  unresolved     perhaps a root, perhaps none; the remark says what is in the way\n"
       "Poles, and places where the formula is not defined, are told apart. The status is 0 where\n"
-      "every root is unique, multiple or isolated.\n",
+      "nothing is unresolved and no root is `at least one`.\n",
       roots_impl::declare};
 }
 

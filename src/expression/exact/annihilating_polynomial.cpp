@@ -47,8 +47,17 @@ std::optional<rational> exact_field::rational_by_further_rules(const exact_sum& 
   if (shows_zero_) return std::nullopt;
   const ball around = enclosure(x);
   if (!around.is_bounded()) return std::nullopt;
+  // The ends of an enclosure of e^(10^9), or of e^(-10^9), are rational numbers of as many bits.
+  constexpr auto bits = static_cast<std::int64_t>(most_bits_of_suggestion);
+  const bool is_near_zero = contains_zero(around);
+  if (around.magnitude_upper() > magnitude::power_of_two(bits) ||
+      (!is_near_zero && around.magnitude_upper() < magnitude::power_of_two(-bits))) {
+    return std::nullopt;
+  }
   constexpr int most_quotients = 64;
-  const auto q = simplest_between(lower_rational(around), upper_rational(around), most_quotients);
+  const auto q = is_near_zero ? rational(0)
+                              : simplest_between(lower_rational(around), upper_rational(around),
+                                                 most_quotients);
   if (!q || mpz_sizeinbase(mpq_numref(q->backend().data()), 2) > most_bits_of_suggestion ||
       mpz_sizeinbase(mpq_denref(q->backend().data()), 2) > most_bits_of_suggestion) {
     return std::nullopt;

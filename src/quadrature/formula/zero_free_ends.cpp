@@ -213,6 +213,28 @@ bool zero_free_ends::diverges_beyond(const rational& from) const {
   return has_no_zero(bound) && bound.sign() != 0 && bound.least_exponent() <= 1;
 }
 
+namespace zero_free_ends_impl {
+namespace {
+
+/// The sign of f where |f| >= c t^a with c > 0 and a < 0 shows that f is unbounded, in x; else 0.
+int infinite_limit_by_growth(const expression& f, const rational& from) {
+  for (const growth_bound& v : {growth_beyond(f, from), growth(f, far(from))}) {
+    if (has_no_zero(v) && v.least_exponent() < 0) return v.sign();
+  }
+  const tail_series tail = tail_beyond(f, from);
+  return tail.tends_to_infinity() ? tail.sign() : 0;
+}
+
+}  // namespace
+}  // namespace zero_free_ends_impl
+
+int zero_free_ends::infinite_limit_beyond(const rational& from) const {
+  const expression& f = formula_->f;
+  if (const int sign = infinite_limit_by_growth(f, from); sign != 0) return sign;
+  const auto in_s = in_logarithm(f, from);
+  return in_s ? infinite_limit_by_growth(in_s->f, in_s->from) : 0;
+}
+
 int zero_free_ends::sign_beyond(const rational& from) const {
   const expression& f = formula_->f;
   if (const int sign = sign_over(f, all_beyond(from)); sign != 0) return sign;

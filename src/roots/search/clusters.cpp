@@ -33,6 +33,8 @@ std::vector<work_box> joined(std::vector<work_box> boxes, const std::vector<foun
       exact_box& x = result.back().x;
       if (x.upper && (!b.x.upper || *x.upper < *b.x.upper)) x.upper = b.x.upper;
       result.back().bits = std::max(result.back().bits, b.bits);
+      result.back().is_open_end |= b.is_open_end;
+      result.back().has_endless_roots |= b.has_endless_roots;
     } else {
       result.push_back(std::move(b));
     }

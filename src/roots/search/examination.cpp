@@ -785,7 +785,8 @@ class examination {
     r.box = r.enclosure = b.x.to_ball(b.bits);
     r.remark = b.remark;
     r.function = r.simple = problem(b).g;
-    if (b.x.is_bounded() && !b.is_open_end) {
+    if (b.has_endless_roots) r.verdict = root_verdict::infinitely_many;
+    if (b.x.is_bounded() && !b.is_open_end && !b.has_endless_roots) {
       // A structure that no single one of its boxes had.
       const exact_box wide = widened(b.x);
       if (by_structure(b) || by_jumps(b, wide, wide.to_ball(b.bits))) return;
@@ -798,6 +799,13 @@ class examination {
       const region over = problem(b).g->over(region(r.box));
       if (!over.is_analytic() && over.why() != obstacle::unknown) {
         r.remark = "the " + to_text(over.why()) + " of " + std::string(over.where());
+      }
+      if (!over.is_analytic() && problem(b).g->has_endless_roots_in(*b.x.lower, *b.x.upper)) {
+        r.verdict = root_verdict::infinitely_many;
+        r.exact.reset();
+        r.remark.clear();
+        result_.known = {b.x, r.box, std::move(r)};
+        return;
       }
       const auto zeros = count_zeros(*problem(b).g, b.x.middle(), b.x.width() / 2, 2 * b.bits);
       if (zeros) {

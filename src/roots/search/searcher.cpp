@@ -224,21 +224,33 @@ class searcher {
     }
     return false;
   }
+  /// f is proved to have infinitely many roots in the box, towards its infinite end or its singular
+  /// point.
+  [[nodiscard]] bool has_endless_roots(const work_box& b) const {
+    const real_function& f = *s_.problems[b.problem].g;
+    if (b.singular == singular_point::none) return f.has_endless_roots(b.x.upper ? -1 : 1);
+    return f.has_endless_roots_in(*b.x.lower, *b.x.upper);
+  }
   /// Leaves the next box unresolved, and all that is beyond it on the way to an infinite end.
   void leave_open_end() {
-    s_.has_open_end = true;
     const work_box& next = s_.pending.back();
     const bool takes_all = next.singular == singular_point::none && next.x.lower.has_value();
-    const std::string remark = fmt::format(
-        "there may be infinitely many roots: {} roots or singular places were found before it, and "
-        "none is proved to be the last; in an interval that ends before, all are found",
-        options_.most_towards_end);
+    const bool is_endless = has_endless_roots(takes_all ? s_.pending.front() : next);
+    const std::string remark =
+        is_endless ? fmt::format("proved; {} roots or singular places were found before it",
+                                 options_.most_towards_end)
+                   : fmt::format(
+                         "there may be infinitely many roots: {} roots or singular places were "
+                         "found before it, and none is proved to be the last; in an interval that "
+                         "ends before, all are found",
+                         options_.most_towards_end);
     do {
       work_box b = std::move(s_.pending.back());
       s_.pending.pop_back();
       forget_ahead(b);
       b.remark = remark;
       b.is_open_end = true;
+      b.has_endless_roots = is_endless && (!takes_all || s_.pending.empty());
       s_.stuck.push_back(std::move(b));
     } while (takes_all && !s_.pending.empty());
   }
@@ -485,6 +497,7 @@ class searcher {
       for (long i = 0; i < count; ++i) step(i);
     }
     for (std::size_t i = 0; i < clusters.size(); ++i) {
+      s_.has_open_end |= clusters[i].is_open_end && !clusters[i].has_endless_roots;
       merge(clusters[i], parts[i], std::move(*outcomes[i]));
     }
   }

@@ -45,6 +45,8 @@ struct work_box {
   bool is_beside_singular = false;
   /// It is the rest of the interval on the way to an end, or a singular point, with many roots.
   bool is_open_end = false;
+  /// It is proved to hold infinitely many roots.
+  bool has_endless_roots = false;
   /// What its examination gives, where it was examined before its turn.
   std::shared_ptr<outcome> ahead = nullptr;
 };
@@ -110,7 +112,8 @@ struct root_search::state {
   std::vector<singular_place> singular;
   bool identically_zero = false;
   bool concluded = false;
-  /// A rest of the interval up to an end, or around a singular point, was left, after many roots.
+  /// A rest of the interval up to an end, or around a singular point, was left, after many roots,
+  /// and is not proved to hold infinitely many.
   bool has_open_end = false;
   std::string limit;  // the one that ended the last run
   isolation_account account;
