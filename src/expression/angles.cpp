@@ -1,5 +1,5 @@
 // A formula f(x) as F(x, w(x)), where F(x, w) is periodic in w: the sines, cosines and tangents of
-// q w + r, numbers q and r, are the functions of w in F.
+// q w + r, numbers q and r, are the functions of w in F. There may be other variables beside x.
 
 #include <map>
 #include <optional>
@@ -33,8 +33,12 @@ struct linear_form {
 
 class unwinding {
  public:
-  explicit unwinding(detail::graph f)
-      : g_(std::move(f)), size_(g_.root + 1), varies_(detail::varying(g_)) {}
+  /// Of a formula with so many variables.
+  unwinding(detail::graph f, std::size_t variables)
+      : g_(std::move(f)),
+        others_(static_cast<long>(variables)),
+        size_(g_.root + 1),
+        varies_(detail::varying(g_)) {}
 
   /// One angle, and what turns with it.
   struct turning {
@@ -57,8 +61,7 @@ class unwinding {
   /// The formula with the variable w in the angle's place.
   [[nodiscard]] detail::graph in_angle(const turning& t) const {
     detail::graph to(g_.further());
-    (void)to.variable(0);  // variables are the first nodes, in their order
-    (void)to.variable(1);
+    for (long k = 0; k <= others_; ++k) (void)to.variable(k);  // the first nodes, in their order
     std::map<node_id, node_id> places;
     to.root = copied(to, t, g_.root, places);
     return to;
@@ -75,12 +78,12 @@ class unwinding {
     node_id place = 0;
     if (const auto turns = t.functions.find(i); turns != t.functions.end()) {
       const linear_form& form = turns->second;
-      const node_id by = multiply(to, place_of(form.q), to.variable(1));
+      const node_id by = multiply(to, place_of(form.q), to.variable(others_));
       place = to.make(g_[i].what, detail::add(to, by, place_of(form.r)));
     } else if (const rational* number = g_.value(i)) {
       place = to.number(*number);
     } else if (g_[i].what == operation::variable) {
-      place = to.variable(0);
+      place = to.variable(g_[i].number);
     } else {
       place = detail::with_operands(to, g_, i, place_of);
     }
@@ -163,6 +166,7 @@ class unwinding {
   }
 
   detail::graph g_;
+  long others_;  // variables beside the angle
   node_id size_;
   std::vector<char> varies_;
 };
@@ -172,17 +176,17 @@ class unwinding {
 
 std::vector<expression::unwound> expression::unwound_angles() const {
   constexpr detail::node_id most_nodes = 500;
-  if (variables_.size() != 1 || graph_->root >= most_nodes) return {};
-  expression of_two(*this);
-  of_two.variables_.push_back(variables_.front() + "_angle");
-  angles_impl::unwinding f(*graph_);
+  if (variables_.empty() || graph_->root >= most_nodes) return {};
+  expression with_angle(*this);
+  with_angle.variables_.push_back(variables_.front() + "_angle");
+  angles_impl::unwinding f(*graph_, variables_.size());
   std::vector<unwound> result;
   try {
     for (const auto& turning : f.found()) {
       detail::graph in_angle = f.in_angle(turning);
       const detail::node_id root = in_angle.root;
       result.push_back({with_root(f.graph(), turning.w), turning.period,
-                        of_two.with_root(std::move(in_angle), root)});
+                        with_angle.with_root(std::move(in_angle), root)});
     }
   } catch (const detail::undefined_operation&) {
     return {};  // an operation has no value anywhere

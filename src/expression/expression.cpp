@@ -118,6 +118,16 @@ std::vector<expression> expression::constants(std::size_t most) const {
   return result;
 }
 
+expression expression::with_sets(std::span<const ball> of_others) const {
+  if (of_others.size() + 1 != variables_.size()) {
+    throw std::invalid_argument("an expression needs a set for each variable but the first one");
+  }
+  std::vector<symbol> values{symbol::variable(0)};
+  values.insert(values.end(), of_others.begin(), of_others.end());
+  return expression(evaluate(std::span<const symbol>(values)),
+                    {{variables_.front()}, {}, graph_->further()});
+}
+
 expression expression::with_rational_constants() const {
   const std::vector<char> used = detail::reachable(*graph_);
   const std::vector<char> varies = detail::varying(*graph_);

@@ -16,12 +16,15 @@
 // the period T, f_N(c) and f_N(b) have the signs of N(c, s) and N(b, t), and f_N has a zero between
 // c and b, where no d_i is 0.
 //
+// Bessel's functions and others that are waves for large arguments are such F with further
+// continuous functions of x, of which it is known that they lie in [-1, 1] (expression::by_waves):
+// the signs are proved for all values there.
+//
 // Towards a point p, f(p + 1/u) is such a function of u, and f(p + e^-s) of s.
 
 #include "endless_roots.hpp"
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <string>
 #include <utility>
@@ -41,16 +44,41 @@ symbol symbol_of(const pi_combination& x) {
   return symbol(x.q) + symbol(x.r) * symbol::constant("pi");
 }
 
-/// A formula of x and of an angle w, for x >= from.
+/// What is known of formulas for all x >= from. Their first variable is x; the others stand for
+/// continuous functions of x whose values lie in [-1, 1] (expression::by_waves).
+class far_out {
+ public:
+  explicit far_out(const rational& from) : from_(from) {}
+
+  [[nodiscard]] int sign_of(const expression& f) const {
+    return zero_free_ends(of_x_alone(f)).sign_beyond(from_);
+  }
+  [[nodiscard]] bool is_continuous(const expression& f) const {
+    return f.is_continuous([this](const expression& u) { return sign_of(u); });
+  }
+  /// Of a continuous f.
+  [[nodiscard]] bool has_infinite_limit(const expression& f) const {
+    return zero_free_ends(of_x_alone(f)).infinite_limit_beyond(from_) != 0;
+  }
+
+ private:
+  static expression of_x_alone(const expression& f) {
+    const std::vector<ball> others(f.variables().size() - 1, hull(ball(-1, bits), ball(1, bits)));
+    return others.empty() ? f : f.with_sets(others);
+  }
+
+  rational from_;
+};
+
+/// A formula of x, perhaps others, and an angle w, which is the last variable.
 class function_of_angle {
  public:
-  function_of_angle(expression f, expression angle, const rational& from)
-      : f_(std::move(f)), angle_(std::move(angle)), from_(from) {}
+  function_of_angle(expression f, const expression& angle) : f_(std::move(f)), angle_(&angle) {}
 
   /// The function f(x, w(x)) of x.
   [[nodiscard]] expression whole() const {
-    const symbol x = symbol::variable(0);
-    return at(angle_(x));
+    const std::vector<symbol> x = others();
+    return at(angle_->evaluate(std::span<const symbol>(x)));
   }
   /// The function f(x, w) of x.
   [[nodiscard]] expression at(const pi_combination& w) const { return at(symbol_of(w)); }
@@ -58,46 +86,51 @@ class function_of_angle {
     const std::vector<std::string> used = f_.used_variables();
     return used.empty() || (used.size() == 1 && used.front() == f_.variables().back());
   }
-  /// f for all angles in the ball, of an f that depends on the angle alone.
+  /// f and its derivative for all angles in the ball, of an f that depends on the angle alone.
   [[nodiscard]] jet<ball, 1> over(const ball& w) const {
-    const std::array<jet<ball, 1>, 2> both{jet<ball, 1>::constant(w), jet<ball, 1>::variable(w)};
-    return f_.evaluator<jet<ball, 1>>(bits)(both);
+    std::vector<jet<ball, 1>> values(f_.variables().size(), jet<ball, 1>::constant(w));
+    values.back() = jet<ball, 1>::variable(w);
+    return f_.evaluator<jet<ball, 1>>(bits)(values);
   }
-  /// The sign of f(x, w(x)) for all x.
-  [[nodiscard]] int sign() const { return zero_free_ends(whole()).sign_beyond(from_); }
 
  private:
+  [[nodiscard]] std::vector<symbol> others() const {
+    std::vector<symbol> result;
+    for (std::size_t i = 0; i + 1 < f_.variables().size(); ++i) {
+      result.push_back(symbol::variable(i));
+    }
+    return result;
+  }
   [[nodiscard]] expression at(const symbol& w) const {
-    const std::array<symbol, 2> both{symbol::variable(0), w};
-    return expression(f_.evaluate(std::span<const symbol>(both)),
-                      {{f_.variables().front()}, {}, f_.names().further});
+    std::vector<symbol> values = others();
+    values.push_back(w);
+    std::vector<std::string> names = f_.variables();
+    names.pop_back();
+    return expression(f_.evaluate(std::span<const symbol>(values)),
+                      {std::move(names), {}, f_.names().further});
   }
 
   expression f_;
-  expression angle_;
-  rational from_;
+  const expression* angle_;
 };
 
-/// f as N and the d_i, with the angle w; and what is known for x >= from.
+/// f as N and the d_i, with the angle w.
 class turning_function {
  public:
   turning_function(const expression::unwound& f, const expression::fraction& parts,
-                   const rational& from)
-      : angle_(f.angle), period_(f.period), from_(from), numerator_(parts.numerator, angle_, from) {
-    for (const expression& d : parts.divisors) divisors_.emplace_back(d, angle_, from);
+                   const far_out& beyond)
+      : f_(f), beyond_(beyond), numerator_(parts.numerator, f_.angle) {
+    for (const expression& d : parts.divisors) divisors_.emplace_back(d, f_.angle);
   }
 
   [[nodiscard]] bool has_endless_zeros() {
-    const auto sign_of = [this](const expression& u) {
-      return zero_free_ends(u).sign_beyond(from_);
-    };
-    if (!angle_.is_continuous(sign_of) ||
-        zero_free_ends(angle_).infinite_limit_beyond(from_) == 0 ||
-        !numerator_.whole().is_continuous(sign_of)) {
+    if (!beyond_.is_continuous(f_.angle) || !beyond_.has_infinite_limit(f_.angle) ||
+        !beyond_.is_continuous(numerator_.whole())) {
       return false;
     }
     std::erase_if(divisors_, [&](const function_of_angle& d) {
-      return d.sign() != 0 && d.whole().is_continuous(sign_of);
+      const expression whole = d.whole();
+      return beyond_.sign_of(whole) != 0 && beyond_.is_continuous(whole);
     });
     constexpr long parts = 24;  // of a period, in which many sines are known exactly
     return changes_sign(4) || changes_sign(parts);
@@ -108,10 +141,10 @@ class turning_function {
     int last = 0;
     pi_combination s;
     for (long k = 0; k <= parts; ++k) {
-      const pi_combination t = period_ * rational(k, parts);
+      const pi_combination t = f_.period * rational(k, parts);
       const expression here = numerator_.at(t).with_rational_constants();
       if (here.is_formally_zero() && is_defined_at(t)) return true;
-      const int sign = zero_free_ends(here).sign_beyond(from_);
+      const int sign = beyond_.sign_of(here);
       if (sign == 0) continue;
       if (sign * last < 0 && is_defined_between(s, t)) return true;
       last = sign;
@@ -140,21 +173,20 @@ class turning_function {
     });
   }
 
-  expression angle_;
-  pi_combination period_;
-  rational from_;
+  const expression::unwound& f_;
+  const far_out& beyond_;
   function_of_angle numerator_;
   std::vector<function_of_angle> divisors_;
 };
 
 bool has_endless_roots_rightward(const expression& f) {
-  for (const expression::unwound& angle : f.unwound_angles()) {
-    const auto parts = angle.of_angle.as_fraction();
-    if (!parts) continue;
-    for (const unsigned e : {8U, 24U, 64U}) {
-      if (turning_function(angle, *parts, rational(integer(1) << e)).has_endless_zeros()) {
-        return true;
-      }
+  for (const unsigned e : {8U, 24U, 64U}) {
+    const far_out beyond(rational(integer(1) << e));
+    const auto by_waves = f.by_waves([&](const expression& u) { return beyond.sign_of(u); });
+    const expression& g = by_waves ? *by_waves : f;
+    for (const expression::unwound& turning : g.unwound_angles()) {
+      const auto parts = turning.of_angle.as_fraction();
+      if (parts && turning_function(turning, *parts, beyond).has_endless_zeros()) return true;
     }
   }
   return false;

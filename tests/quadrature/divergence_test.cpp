@@ -72,6 +72,15 @@ TEST(Divergence, IsProvedOfTailsUpToTheReciprocal) {
   EXPECT_TRUE(diverges("exp(-x)", -2));
   EXPECT_FALSE(diverges("sin(x)/x", 2));
   EXPECT_TRUE(diverges("sin(x)*(1+1/x)", 2));
+  EXPECT_TRUE(diverges("sin(x)+1/x", 2));
+  EXPECT_TRUE(diverges("x*cos(x)-3*log(x)*sin(2*x)", 9));
+  EXPECT_TRUE(diverges("sin(x)+sin(pi*x)/2", 2));
+  EXPECT_TRUE(diverges("x*besselJ(0,x)", 9));
+  EXPECT_TRUE(diverges("sqrt(x)*besselY(1/3,x)", 9));
+  EXPECT_TRUE(diverges("x*besselJ(2,x)^2", -9));
+  EXPECT_FALSE(diverges("besselJ(0,x)", 9));
+  EXPECT_FALSE(diverges("x*sin(x^2)", 2));
+  EXPECT_FALSE(diverges("x*airyAi(-x)", 9));
   EXPECT_FALSE(diverges("sin(x)/log(x)", 2));
   EXPECT_FALSE(diverges("sin(x)*exp(-x)", 2));
   EXPECT_FALSE(diverges("exp(x)*sin(exp(2*x))", 2));

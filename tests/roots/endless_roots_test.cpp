@@ -101,6 +101,37 @@ TEST(EndlessRoots, AreProvedOnBothSidesAndTowardsPoints) {
   EXPECT_EQ(found_by("1+x*sin(1/x)/2", -1, 1), "0");
 }
 
+TEST(EndlessRoots, AreProvedOfWavesOfLargeArguments) {
+  const auto is_endless = [](const char* f) { return detail::has_endless_roots(parse(f), 1); };
+  for (const char* f :
+       {"besselJ(0,x)", "besselJ(7,x)", "besselJ(-1/3,x)", "besselY(0,x)", "besselY(5/2,x)",
+        "airyAi(-x)", "airyBi(-x)", "airyAiPrime(-x)", "airyBiPrime(-x)", "besselJ(3,-x)",
+        "besselJ(0,x)-1/x", "besselJ(0,x)-7/(9*sqrt(x))", "x*besselJ(1,x^2)-1/2",
+        "besselJ(0,x)*besselY(0,x)", "cos(x)-besselJ(0,x)", "besselJ(0,x)+sin(x)/5",
+        "besselJ(1/2,x)-sqrt(2/(pi*x))*sin(x)", "airyAi(-x)-1/x", "besselJ(0,x)/(1+x^2)"}) {
+    EXPECT_TRUE(is_endless(f)) << f;
+  }
+  for (const char* f :
+       {"besselJ(0,x)-9/(10*sqrt(x))", "airyAi(-x)-1", "besselJ(0,x)/besselJ(0,x)",
+        "besselJ(0,x)+besselJ(0,-x)-2/sqrt(x)", "besselJ(1,x)+besselJ(1,-x)+exp(-x)", "airyAi(x)",
+        "besselK(0,x)", "besselJ(0,1/x)-2", "atan(1/besselJ(0,x))+exp(-x)"}) {
+    EXPECT_FALSE(is_endless(f)) << f;
+  }
+  // Of small arguments nothing is known.
+  const auto is_wave = [](const char* f, int sign_of_all) {
+    return parse(f).by_waves(
+        [=](const expression& u) { return u.operation_count() > 0 ? sign_of_all : 1; });
+  };
+  EXPECT_TRUE(is_wave("besselJ(0,x)", 1));
+  EXPECT_FALSE(is_wave("besselJ(0,x)", -1));
+  EXPECT_FALSE(is_wave("besselJ(0,x)", 0));
+  EXPECT_FALSE(is_wave("airyAi(x)", 1));
+  EXPECT_TRUE(detail::has_endless_roots(parse("airyAi(x)"), -1));
+  EXPECT_TRUE(detail::has_endless_roots(parse("besselJ(1,x)"), -1));
+  EXPECT_FALSE(detail::has_endless_roots(parse("airyAi(-x)"), -1));
+  EXPECT_EQ(found_by("besselJ(0,1/x)", 0, 1), "1");
+}
+
 /// What is left out of the list is one region, and the answer counts as complete.
 TEST(EndlessRoots, LeaveAListOfTheNearestOnes) {
   const isolate_options few{.most_towards_end = 10};

@@ -284,12 +284,23 @@ class expression {
   /// ("log(abs(sin(x)))*exp(-x)"), likewise.
   struct periodic_products;
   [[nodiscard]] std::optional<periodic_products> as_periodic_products() const;
-  /// Formulas F(x, w), periodic in w, and w(x) with f(x) = F(x, w(x)), for a formula f of one
-  /// variable with sines, cosines or tangents of q w + r, numbers q and r: "x*sin(x^2) + 1" is
-  /// "x*sin(w) + 1" with the angle "x^2". One for each angle, and for each of the periods in it
-  /// that have no common multiple; the other functions are left in F. None of long formulas.
+  /// Formulas F(x, w), periodic in w, and w(x) with f(x) = F(x, w(x)), for a formula f with sines,
+  /// cosines or tangents of q w + r, numbers q and r: "x*sin(x^2) + 1" is "x*sin(w) + 1" with the
+  /// angle "x^2". One for each angle, and for each of the periods in it that have no common
+  /// multiple; the other functions are left in F. x may be several variables; w comes after them.
+  /// None of long formulas.
   struct unwound;
   [[nodiscard]] std::vector<unwound> unwound_angles() const;
+  /// A formula g of x and further variables with f(x) = g(x, theta_1(x), ...) and -1 <= theta_i <=
+  /// 1, the theta_i continuous, on a set of numbers x: functions of large arguments that are waves
+  /// there, as Bessel's J, are written as sines or cosines and a rest. Each is continuous where its
+  /// argument is. sign_of(u) returns a sign that a formula u of the same variables has for all x in
+  /// the set and all theta_i, wherever it is defined; 0 where none is known. None where there are
+  /// no such functions, and of long formulas.
+  [[nodiscard]] std::optional<expression> by_waves(
+      const std::function<int(const expression&)>& sign_of) const;
+  /// f of its first variable alone, with any numbers in these sets, in their order, for the others.
+  [[nodiscard]] expression with_sets(std::span<const ball> of_others) const;
   /// Whether f is shown to be defined and continuous on a set that is an interval, where sign_of(u)
   /// returns a sign, 1 or -1, that a formula u has wherever in the set it is defined, and 0 where
   /// none is known. By the operations of f; those that are not continuous, or have another domain,
@@ -460,7 +471,7 @@ struct expression::periodic_products {
 struct expression::unwound {
   expression angle;
   pi_combination period;  // of F in w
-  expression of_angle;    // F, whose second variable is w
+  expression of_angle;    // F, whose last variable is w
 };
 struct expression::piece {
   std::optional<rational> lower;  // none for -infinity

@@ -3,6 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "definition.hpp"
 
 namespace polhode::arb_functions_impl {
@@ -34,16 +36,30 @@ void value_of_bi_prime(acb_ptr r, acb_srcptr, acb_srcptr z, slong p) {
   arb().acb_hypgeom_airy(nullptr, nullptr, nullptr, r, z, p);
 }
 
+// With y = (2/3) x^(3/2) and x > 0 (DLMF 9.6.6 to 9.6.9)
+//   Ai(-x) = sqrt(x)/3 (J_(1/3)(y) + J_(-1/3)(y)),   Bi(-x) = sqrt(x/3) (J_(-1/3)(y) - J_(1/3)(y)),
+//   Ai'(-x) = x/3 (J_(2/3)(y) - J_(-2/3)(y)),   Bi'(-x) = x/sqrt(3) (J_(-2/3)(y) + J_(2/3)(y)),
+// where each J(y) is sqrt(3/pi) x^(-3/4) cos(y - nu pi/2 - pi/4) but for |4 nu^2 - 1|/(8 y) times
+// that root (j_at_infinity): 5/48 x^(-3/2) and 7/48 x^(-3/2) times it. The cosines add up to waves
+// with cos(pi/6), sin(pi/6), sin(pi/3) and cos(pi/3); the rests are at most 5/(24 sqrt(3)) < 1/8,
+// 5/24 < 1/4, 7/(24 sqrt(3)) < 1/5 and 7/24 < 3/10, each divided by sqrt(pi).
+leading wave_at_infinity(std::string_view wave, std::string_view exponent, std::string_view share,
+                         std::string_view exponent_of_rest) {
+  return oscillating_beside(
+      fmt::format("{}(2/3*(-x)^(3/2)-pi/4)*(-x)^({})/sqrt(pi)", wave, exponent),
+      fmt::format("{}*(-x)^({})/sqrt(pi)", share, exponent_of_rest));
+}
+
 // With y = (2/3) x^(3/2), Ai(x) = sqrt(x/3) K_(1/3)(y)/pi and -Ai'(x) = x/sqrt(3) K_(2/3)(y)/pi
 // (DLMF 9.6.2, 9.6.3). For x >= 4, where y > 5, k_at_infinity has these but for a share of (1/8 +
 // 1/6 e^(1/36))/y < (9/20) x^(-3/2), and of (1/8 + 2/3 e^(1/9))/y < (4/3) x^(-3/2).
 leading ai_at_infinity(const ball*, int sign) {
-  if (sign < 0) return std::nullopt;
+  if (sign < 0) return wave_at_infinity("cos", "-1/4", "1/8", "-7/4");
   return leading_term("exp(-2/3*x^(3/2))/(2*sqrt(pi)*x^(1/4))",
                       "9/40*exp(-2/3*x^(3/2))/(sqrt(pi)*x^(7/4))");
 }
 leading ai_prime_at_infinity(const ball*, int sign) {
-  if (sign < 0) return std::nullopt;
+  if (sign < 0) return wave_at_infinity("sin", "1/4", "1/5", "-5/4");
   return leading_term("-x^(1/4)*exp(-2/3*x^(3/2))/(2*sqrt(pi))",
                       "2/3*exp(-2/3*x^(3/2))/(sqrt(pi)*x^(5/4))");
 }
@@ -54,12 +70,12 @@ leading ai_prime_at_infinity(const ball*, int sign) {
 // e^y/sqrt(2 pi y) times 1/(10 y). So by i_at_infinity the sums are 2 e^y/sqrt(2 pi y) but for a
 // share of (1/2 + 1/3 + 1/20)/y < 2 x^(-3/2), and of (1/2 + 4/3 + 1/20)/y < 3 x^(-3/2).
 leading bi_at_infinity(const ball*, int sign) {
-  if (sign < 0) return std::nullopt;
+  if (sign < 0) return wave_at_infinity("-sin", "-1/4", "1/4", "-7/4");
   return leading_term("exp(2/3*x^(3/2))/(sqrt(pi)*x^(1/4))",
                       "2*exp(2/3*x^(3/2))/(sqrt(pi)*x^(7/4))");
 }
 leading bi_prime_at_infinity(const ball*, int sign) {
-  if (sign < 0) return std::nullopt;
+  if (sign < 0) return wave_at_infinity("cos", "1/4", "3/10", "-5/4");
   return leading_term("x^(1/4)*exp(2/3*x^(3/2))/sqrt(pi)", "3*exp(2/3*x^(3/2))/(sqrt(pi)*x^(5/4))");
 }
 

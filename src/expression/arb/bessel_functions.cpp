@@ -411,6 +411,47 @@ formula value_at_zero(known_arguments x) {
   return x[0]->q > 0 || denominator(x[0]->q) == 1 ? formula("0") : std::nullopt;
 }
 
+// With w = x - nu pi/2 - pi/4 and x > 0, J + i Y = sqrt(2/(pi x)) e^(i w) times the sum of
+// i^k a_k/x^k over k < l and a rest of at most |a_l|/x^l, a_0 = 1 and a_k = a_(k-1) (4 nu^2 -
+// (2 k - 1)^2)/(8 k), for nu > -1/2 and l >= max(nu - 1/2, 1) (DLMF 10.17.1, 10.17.5, 10.17(iii)).
+// J_-nu + i Y_-nu is e^(i nu pi) (J_nu + i Y_nu) (10.4.6): the sum is the same for -nu. For x >= 4
+// all but the first term is at most share_of_wave/x, the sum of |a_k| 4^(1-k) over 1 <= k <= l.
+std::optional<rational> share_of_wave(const ball& order) {
+  constexpr long most = 20;
+  const rational nu = most_of(order);
+  if (!(nu <= most)) return std::nullopt;
+  const rational least = contains_zero(order) ? rational(0)
+                                              : std::min<rational>(abs(lower_rational(order)),
+                                                                   abs(upper_rational(order)));
+  const auto factor = [&](const rational& n, long k) {
+    const long odd = 2 * k - 1;
+    return abs(rational(4 * n * n - odd * odd));
+  };
+  rational term = 4;
+  rational sum = 0;
+  for (long k = 1; k == 1 || 2 * k < 2 * nu + 1; ++k) {
+    term = term * std::max<rational>(factor(least, k), factor(nu, k)) / (32 * k);
+    sum = sum + term;
+  }
+  constexpr long parts = 1L << 20;  // the least of these that is not less, a short number
+  return rational(-floor_of(-sum * parts), parts);
+}
+leading wave_at_infinity(const ball& order, int sign, std::string_view wave) {
+  const auto share = share_of_wave(order);
+  if (!share || (sign < 0 && !is_whole(order))) return std::nullopt;
+  // J(-x) = (-1)^nu J(x) of a whole order.
+  const std::string x = sign > 0 ? "x" : "(-x)";
+  const bool is_negative = sign < 0 && numerator(lower_rational(order)) % 2 != 0;
+  const std::string size = fmt::format("sqrt(2/(pi*{}))", x);
+  return oscillating_beside(
+      fmt::format("{}{}*{}({}-(nu/2+1/4)*pi)", is_negative ? "-" : "", size, wave, x),
+      fmt::format("{}*{}/{}", share->str(), size, x));
+}
+leading j_at_infinity(const ball* order, int sign) { return wave_at_infinity(*order, sign, "cos"); }
+leading y_at_infinity(const ball* order, int sign) {
+  return sign > 0 ? wave_at_infinity(*order, sign, "sin") : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<definition> bessel_functions() {
@@ -426,7 +467,8 @@ std::vector<definition> bessel_functions() {
            .where_defined = j_from_zero,
            .simpler = value_at_zero,
            .bound = majorant_of_j,
-           .near_zero = leading_of_j},
+           .near_zero = leading_of_j,
+           .near_infinity = j_at_infinity},
           {.what = {"besselY", "nu, x", "Bessel, of the second kind", "x > 0"},
            .has_order = true,
            .value = value_of_y,
@@ -436,7 +478,8 @@ std::vector<definition> bessel_functions() {
            .may_be_defined = last_is_positive,
            .is_nowhere_defined = not_positive,
            .bound = majorant_of_y,
-           .near_zero = leading_of_y},
+           .near_zero = leading_of_y,
+           .near_infinity = y_at_infinity},
           {.what = {"besselI", "nu, x", "modified Bessel, first kind", domain},
            .has_order = true,
            .value = value_of_i,

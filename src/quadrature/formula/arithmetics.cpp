@@ -81,7 +81,9 @@ std::optional<Series> by_leading_term(const F& f, const std::vector<Series>& x,
     if (!near) return std::nullopt;
     const auto names = argument_names(f.what);
     const auto rest = of_size(f, formula_over(near->rest, names, x), last, near->oscillates);
-    return rest ? std::optional(formula_over(near->main, names, x) + *rest) : std::nullopt;
+    if (!rest) return std::nullopt;
+    const Series main = formula_over(near->main, names, x);
+    return is_unknown(main) ? std::nullopt : std::optional(main + *rest);
   } else {
     return std::nullopt;
   }

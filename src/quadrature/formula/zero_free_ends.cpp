@@ -170,23 +170,32 @@ bool is_away_from_zero(const expression& f, const rational& from) {
   return tail_beyond(f, from).tends_to_infinity();
 }
 
-/// Proved: f is P g with g away from 0 and P of a period, and P is away from 0 on some interval, of
-/// length l. Then the integral over l has at least the same size in each period, and does not tend
-/// to 0: that over x >= from diverges.
+/// Proved: f(x) = F(x, x) with an F(x, w) of a period in w (expression::unwound) that is away from 0
+/// for all x and for the w in an interval, of length l. Then the integral over l has at least the
+/// same size in each period, and does not tend to 0: that over x >= from diverges.
 bool is_wave_away_from_zero(const expression& f, const rational& from) {
   constexpr precision p = 64;
   if (f.variables().size() != 1) return false;
   const expression outward = from > 0 ? f : expression(f(-symbol::variable(0)), f.names());
-  const auto products = outward.as_periodic_products();
-  if (!products || products->terms.size() != 1) return false;
-  const auto& [periodic, steady] = products->terms.front();
-  if (!is_away_from_zero(steady, abs(from))) return false;
-  constexpr long places = 8;
-  const ball period = products->period.at(p);
-  for (long k = 0; k < places; ++k) {
-    const ball x =
-        hull(period * rational(3 * k + 1, 3 * places), period * rational(3 * k + 2, 3 * places));
-    if (sign_over(periodic, x) != 0) return true;
+  const rational start = abs(from);
+  const ball unknown = hull(ball(-1, p), ball(1, p));
+  const auto waves = outward.by_waves([&](const expression& u) {
+    const std::vector<ball> sets(u.variables().size() - 1, unknown);
+    return zero_free_ends(u.with_sets(sets)).sign_beyond(start);
+  });
+  const expression& g = waves ? *waves : outward;
+  for (const expression::unwound& turning : g.unwound_angles()) {
+    const bool is_of_x = turning.angle.operation_count() == 0;
+    if (!is_of_x || turning.angle.used_variables().front() != f.variables().front()) continue;
+    std::vector<ball> sets(g.variables().size() - 1, unknown);
+    sets.push_back(unknown);
+    constexpr long places = 8;
+    const ball period = turning.period.at(p);
+    for (long k = 0; k < places; ++k) {
+      sets.back() =
+          hull(period * rational(3 * k + 1, 3 * places), period * rational(3 * k + 2, 3 * places));
+      if (is_away_from_zero(turning.of_angle.with_sets(sets), start)) return true;
+    }
   }
   return false;
 }
