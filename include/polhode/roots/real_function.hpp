@@ -94,7 +94,8 @@ class real_function {
   /// Proved: f has infinitely many roots beyond every number, to the right for side = 1 and to the
   /// left for side = -1.
   [[nodiscard]] bool has_endless_roots(int side) const { return endless_ && endless_(side); }
-  /// Proved: f has infinitely many roots between lower and upper, near a point where it is singular.
+  /// Proved: f has infinitely many roots between lower and upper, beside a point where it is
+  /// singular.
   [[nodiscard]] bool has_endless_roots_in(const rational& lower, const rational& upper) const {
     return endless_in_ && endless_in_(lower, upper);
   }

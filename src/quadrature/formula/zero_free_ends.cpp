@@ -170,9 +170,9 @@ bool is_away_from_zero(const expression& f, const rational& from) {
   return tail_beyond(f, from).tends_to_infinity();
 }
 
-/// Proved: f(x) = F(x, x) with an F(x, w) of a period in w (expression::unwound) that is away from 0
-/// for all x and for the w in an interval, of length l. Then the integral over l has at least the
-/// same size in each period, and does not tend to 0: that over x >= from diverges.
+/// Proved: f(x) = F(x, x) with an F(x, w) of a period in w (expression::unwound) that is away from
+/// 0 for all x and for the w in an interval. Then the integrals over these intervals of x, one in
+/// each period, have one sign and do not tend to 0: that over x >= from diverges.
 bool is_wave_away_from_zero(const expression& f, const rational& from) {
   constexpr precision p = 64;
   if (f.variables().size() != 1) return false;
@@ -185,8 +185,9 @@ bool is_wave_away_from_zero(const expression& f, const rational& from) {
   });
   const expression& g = waves ? *waves : outward;
   for (const expression::unwound& turning : g.unwound_angles()) {
-    const bool is_of_x = turning.angle.operation_count() == 0;
-    if (!is_of_x || turning.angle.used_variables().front() != f.variables().front()) continue;
+    const bool is_of_x = turning.angle.operation_count() == 0 &&
+                         turning.angle.used_variables().front() == f.variables().front();
+    if (!is_of_x) continue;
     std::vector<ball> sets(g.variables().size() - 1, unknown);
     sets.push_back(unknown);
     constexpr long places = 8;
