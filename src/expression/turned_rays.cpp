@@ -1,7 +1,8 @@
 // Integrals of oscillations up to infinity over rays on which they decay.
 //
 // Let f = Re h exp(i phi) for x >= p, with a real polynomial phi of degree n >= 1 and leading
-// coefficient d_n > 0, and h analytic on {z: Re z >= p} with |h(z)| <= C |z|^m there, m < n - 1.
+// coefficient d_n > 0, and h analytic on {z: Re z >= p} with |h(z)| <= C |z|^m |log z|^k for great
+// |z| there, m < n - 1, or m = n - 1 and k < 0.
 // Let phi(p + w) = the sum of d_j w^j and theta = pi/(2n). Then
 //
 //   the integral of f from p to infinity = Re of the integral of
@@ -11,7 +12,8 @@
 // leaves the arc w = R e^(i alpha), 0 <= alpha <= theta, on which sin(n alpha) >= 2 n alpha/pi and
 // |sin(j alpha)| <= j alpha, so that Im phi >= alpha (2 n d_n R^n/pi - the sum of j |d_j| R^j over
 // 1 <= j < n) >= alpha d_n R^n/2 for great R. So the arc contributes at most the integral of C'
-// R^(m+1) exp(-alpha d_n R^n/2) over alpha, which is at most 2 C' R^(m+1-n)/d_n and tends to 0. On
+// R^(m+1) log(R)^k exp(-alpha d_n R^n/2) over alpha, at most 2 C' R^(m+1-n) log(R)^k/d_n, which
+// tends to 0. On
 // the ray |exp(i phi)| = exp(-V), V = the sum of d_j sin(j theta) s^j with leading term d_n s^n:
 // the integral over it converges absolutely. So the one over the real axis converges to the same
 // number.
@@ -41,11 +43,14 @@
 //   l = n, with q_n > 0 and any polynomial of degree n or less beside it: Im Q is at least
 //     alpha (2 n q_n R^n/pi - O(R^(n-1))), Re Q at least -O(R^(n-1)), as cos(n alpha) >= 0, and
 //     the polynomial at least -alpha O(R^n). So Im phi >= alpha q_n R^n log(R)/2 for great R, and
-//     the arc contributes at most 2 C' R^(m+1-n)/(q_n log R): m <= n - 1 is enough.
+//     the arc contributes at most 2 C' R^(m+1-n) log(R)^(k-1)/q_n: m = n - 1 and k < 1 is enough.
 // z^(i q_0), whose size is exp(-q_0 arg z), is the case l = 0.
 //
-// h is made of the variable by sums, products, quotients, powers and logarithms. Its degree m comes
-// from these, that of a logarithm being any number above 0. A divisor that is a polynomial with the
+// h is made of the variable by sums, products, quotients, powers and logarithms. Its m and k come
+// from these: log w of a polynomial w of degree d >= 1 has the size of d log |z| for great |z|, m =
+// 0 and k = 1; as a divisor it must have no zero, so that w - 1 has none. Of a power with an
+// irrational exponent the bounds are those of rational numbers beside it. A divisor that is a
+// polynomial with the
 // coefficients c_j, d_j those around p, has no zero in the sector, and is at least C |z|^d there, C
 // > 0, in two cases:
 //   p > 0 and |c_d| > the sum of |c_j| p^(j-d) over j < d, for |z| >= p there;
@@ -85,11 +90,33 @@ constexpr std::size_t most_nodes = 300;  // of the formula
 constexpr precision bits = 192;
 constexpr std::size_t most_expanded = 8;  // coefficients of a polynomial that is taken as one
 
-/// |h(z)| <= C' |z|^most for great z in the sector. Where `least` is known, h has no zero in the
-/// sector, ends included, and C |z|^least <= |h(z)| for great z, with C > 0.
+/// |z|^power |log z|^logarithms; of two the greater one is greater for great |z|.
+struct order {
+  rational power = 0;
+  rational logarithms = 0;
+
+  friend order operator+(const order& x, const order& y) {
+    return {x.power + y.power, x.logarithms + y.logarithms};
+  }
+  friend order operator-(const order& x, const order& y) {
+    return {x.power - y.power, x.logarithms - y.logarithms};
+  }
+  friend order operator*(const order& x, long n) { return {x.power * n, x.logarithms * n}; }
+  friend bool operator<(const order& x, const order& y) {
+    return x.power < y.power || (x.power == y.power && x.logarithms < y.logarithms);
+  }
+};
+/// |h(z)| is at most C' times the size `most` for great z in the sector. Where `least` is known, h
+/// has no zero in the sector, ends included, and is at least C times that size for great z, C > 0.
 struct growth {
+  order most;
+  std::optional<order> least;
+};
+/// An exponent without the variable, and bounds of it.
+struct exponent_node {
+  node_id value;
+  rational least;
   rational most;
-  std::optional<rational> least;
 };
 
 class turned_rays {
@@ -140,8 +167,7 @@ class turned_rays {
         if (h == g_.number(0)) continue;
         const auto of = growth_of(h);
         if (!of) return false;
-        const bool converges =
-            of->most < n_ - 1 || (of->most == n_ - 1 && part.is_led_by_logarithm());
+        const bool converges = of->most < order{n_ - 1, part.is_led_by_logarithm() ? 1 : 0};
         if (!end && !converges && !decays(part)) return false;
       }
       if (!end && !never_grows(part)) return false;
@@ -325,29 +351,50 @@ class turned_rays {
   /// Of a power or a logarithm.
   std::optional<growth> growth_of_branch(node_id i) {
     const node n = g_[i];
-    const std::optional<rational> e = detail::fractional_exponent_at(g_, i);
+    const std::optional<exponent_node> e = exponent_at(i);
     if (!e && n.what != operation::log) return std::nullopt;
     const auto c = detail::polynomial_in_variable(g_, n.left);
     if (!c || c->size() < 2) return std::nullopt;
     if (start_ == 0 && c->size() == 2 && c->front() == g_.number(0)) {
-      if (e && *e > 0 && certainly_positive(value_of(c->back()))) return growth{*e, std::nullopt};
+      if (e && e->least > 0 && certainly_positive(value_of(c->back()))) {
+        return growth{{e->most}, std::nullopt};
+      }
       return std::nullopt;
     }
     if (c->size() > 3 || !lies_in_half_plane(*c, true)) return std::nullopt;
     if (c->size() == 3 && !quadratic_of(*c).is_decided) return std::nullopt;
-    if (!e) return growth{rational(1, 1000), std::nullopt};
-    const rational exponent = *e * static_cast<long>(c->size() - 1);
-    return growth{exponent, exponent};
+    const auto degree = static_cast<long>(c->size() - 1);
+    if (e) return growth{order{e->most} * degree, order{e->least} * degree};
+    growth result{{0, 1}, std::nullopt};
+    std::vector<node_id> less_one = *c;
+    less_one[0] = nodes_.difference(less_one[0], g_.number(1));
+    if (const auto of = of_polynomial(less_one); of && of->least) result.least = result.most;
+    return result;
+  }
+  /// The exponent of a root, or of a power with an exponent that is no whole number.
+  std::optional<exponent_node> exponent_at(node_id i) {
+    if (const auto e = detail::fractional_exponent_at(g_, i)) {
+      return exponent_node{g_.number(*e), *e, *e};
+    }
+    const node n = g_[i];
+    if (n.what != operation::power || is_varying(n.right)) return std::nullopt;
+    const ball e = value_of(n.right);
+    if (!e.is_bounded()) return std::nullopt;
+    return exponent_node{n.right, lower_rational(e), upper_rational(e)};
+  }
+  bool is_varying(node_id i) {
+    const auto c = detail::polynomial_in_variable(g_, i);
+    return !c || c->size() > 1;
   }
   std::optional<growth> of_polynomial(const std::vector<node_id>& c) {
-    if (c.empty()) return growth{0, std::nullopt};
+    if (c.empty()) return growth{{}, std::nullopt};
     for (const node_id k : c) {
       if (!value_of(k).is_bounded()) return std::nullopt;
     }
     const auto degree = static_cast<long>(c.size()) - 1;
-    growth result{degree, std::nullopt};
+    growth result{{degree}, std::nullopt};
     if (leading_term_is_greatest(c) || lies_in_half_plane(c, false) || has_root_elsewhere(c)) {
-      result.least = degree;
+      result.least = result.most;
     }
     return result;
   }
@@ -486,19 +533,18 @@ class turned_rays {
         return nodes_.multiply(at_z(n.left), at_z(n.right));
       case operation::divide:
         if (const auto e = varying_exponent_at(n.right)) {
-          return nodes_.multiply(at_z(n.left), branch_at_z(g_[n.right].left, -*e));
+          return nodes_.multiply(at_z(n.left), branch_at_z(g_[n.right].left, nodes_.minus(*e)));
         }
         return nodes_.divide(at_z(n.left), at_z(n.right));
       case operation::power_integer:
         if (const auto e = varying_exponent_at(n.left)) {
-          return branch_at_z(g_[n.left].left, *e * n.number);
+          return branch_at_z(g_[n.left].left, nodes_.product(g_.number(n.number), *e));
         }
         return nodes_.power(at_z(n.left), n.number);
       default:
         break;
     }
-    const std::optional<rational> e = detail::fractional_exponent_at(g_, i);
-    if (e) return branch_at_z(n.left, *e);
+    if (const auto e = exponent_at(i)) return branch_at_z(n.left, e->value);
     if (n.what != operation::log) {
       throw std::logic_error("turned rays: internal error: a function without a bound");
     }
@@ -507,16 +553,17 @@ class turned_rays {
     return {nodes_.product(g_.number(rational(1, 2)), size), argument_of(n.left)};
   }
   /// w^e = |w|^e exp(i e arg w) for the polynomial w that a node is.
-  complex_node branch_at_z(node_id of, const rational& e) {
-    const node_id power = detail::power(g_, square_of_size(at_z(of)), g_.number(e / 2));
-    const node_id turned = nodes_.product(g_.number(e), argument_of(of));
+  complex_node branch_at_z(node_id of, node_id e) {
+    const node_id half = nodes_.product(g_.number(rational(1, 2)), e);
+    const node_id power = detail::power(g_, square_of_size(at_z(of)), half);
+    const node_id turned = nodes_.product(e, argument_of(of));
     return {nodes_.product(power, nodes_.call("cos", turned)),
             nodes_.product(power, nodes_.call("sin", turned))};
   }
   /// The exponent of a root or power of what varies.
-  std::optional<rational> varying_exponent_at(node_id i) {
-    const auto c = detail::polynomial_in_variable(g_, i);
-    return c ? std::nullopt : detail::fractional_exponent_at(g_, i);
+  std::optional<node_id> varying_exponent_at(node_id i) {
+    const auto e = detail::polynomial_in_variable(g_, i) ? std::nullopt : exponent_at(i);
+    return e ? std::optional(e->value) : std::nullopt;
   }
   node_id square_of_size(const complex_node& w) {
     return nodes_.sum(nodes_.product(w.re, w.re), nodes_.product(w.im, w.im));

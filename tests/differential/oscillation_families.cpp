@@ -104,6 +104,43 @@ integral_case divergent_with_logarithms(maker& m) {
   return c;
 }
 
+/// A logarithm of what is above 1 beyond `from` > 0.
+term logarithm_above_0(maker& m) {
+  const term c = m.rational_near(m.scattered(0.1, 5));
+  return m.one_in(2) ? call("log", c * x + m.between(1, 3)) : call("log", power(x, 2) + c * x + 1);
+}
+term irrational_below_1(maker& m) { return 1 / (1 + m.irrational()); }
+
+/// With divisors that are logarithms, or irrational powers, of an amplitude that tends to 0.
+integral_case slow_oscillations(maker& m) {
+  const term c = m.rational_near(m.scattered(0.1, 5));
+  const term e = irrational_below_1(m);
+  const long n = m.between(1, 2);
+  const term amplitude =
+      m.any_of<term>({power(logarithm_above_0(m), -m.between(1, 3)), power(x, -e), power(x + c, -e),
+                      power(power(x, 2) + c, -e), call("log", x + 1) * power(x, -e),
+                      logarithm_above_0(m) / ((x + c) * logarithm_above_0(m)),
+                      x / ((x + c) * logarithm_above_0(m)), power(x, -e) / logarithm_above_0(m)});
+  const term f = amplitude * wave(m, phase(m, n));
+  const term from = m.near(m.scattered(0.2, 8));
+  integral_case result{derivative(f), from, "inf", few_digits(m)};
+  result.value = -substituted(f, "x", from);
+  return result;
+}
+/// Of an amplitude that does not.
+integral_case divergent_slow_oscillations(maker& m) {
+  const term e = irrational_below_1(m);
+  const term amplitude = m.any_of<term>({logarithm_above_0(m) / logarithm_above_0(m), power(x, e),
+                                         power(x, e) / logarithm_above_0(m), power(x / (x + 1), e),
+                                         power(logarithm_above_0(m), 2) / logarithm_above_0(m),
+                                         power(x, e) * power(x + 1, -e)});
+  integral_case c{derivative(amplitude * wave(m, phase(m, m.between(1, 2)))),
+                  m.near(m.scattered(0.2, 8)), "inf", few_digits(m)};
+  c.diverges = true;
+  c.is_cheap = true;
+  return c;
+}
+
 /// Squares and products: two phases, and parts that do not oscillate.
 integral_case products(maker& m) {
   const term f = decaying(m) * wave(m, phase(m, m.between(1, 3))) *
@@ -600,6 +637,8 @@ std::vector<integral_family> oscillation_families() {
       {"oscillations that decay to infinity", 10, to_infinity_with_decay},
       {"oscillations with logarithms", 4, to_infinity_with_logarithms},
       {"oscillations with logarithms that do not converge", 6, divergent_with_logarithms},
+      {"slow oscillations", 5, slow_oscillations},
+      {"slow oscillations that do not converge", 6, divergent_slow_oscillations},
       {"oscillations that grow", 5, divergent_by_growth},
       {"products of oscillations", 6, products},
       {"periodic functions times what decays", 6, periodic_tails},

@@ -2,8 +2,11 @@
 // functions, what is conserved.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -14,6 +17,7 @@
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/body_box.hpp"
 #include "polhode/rigid_body/montgomery_phase.hpp"
+#include "polhode/rigid_body/principal_axes.hpp"
 #include "polhode/rigid_body/rotor.hpp"
 
 namespace polhode::differential {
@@ -271,6 +275,181 @@ TEST(rotation, bodies_with_irrational_moments) {
     compare(phase, montgomery_phase(rigid, motion, bits + 100), command, "more bits", c);
     compare(phase, dynamic_phase(rigid, motion, bits) + geometric_phase(rigid, motion, bits),
             command, "its two parts", c);
+  });
+}
+
+using vector = std::array<rational, 3>;
+
+/// Of the entries xx, yy, zz, xy, xz, yz.
+constexpr std::array<std::pair<int, int>, 6> places{
+    {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
+
+rational power_of_ten(long n) {
+  const integer power = pow(integer(10), static_cast<unsigned>(std::abs(n)));
+  return n < 0 ? rational(1, power) : rational(power);
+}
+
+/// A rotation by a quaternion of short whole numbers: its columns are rational.
+std::array<vector, 3> draw_rotation(maker& m) {
+  for (;;) {
+    const rational w(m.between(-9, 9));
+    const rational i(m.between(-9, 9));
+    const rational j(m.between(-9, 9));
+    const rational k(m.one_in(3) ? 0 : m.between(-9, 9));
+    const rational n = w * w + i * i + j * j + k * k;
+    if (n == 0) continue;
+    return {vector{(w * w + i * i - j * j - k * k) / n, 2 * (i * j + w * k) / n,
+                   2 * (i * k - w * j) / n},
+            vector{2 * (i * j - w * k) / n, (w * w - i * i + j * j - k * k) / n,
+                   2 * (j * k + w * i) / n},
+            vector{2 * (i * k + w * j) / n, 2 * (j * k - w * i) / n,
+                   (w * w - i * i - j * j + k * k) / n}};
+  }
+}
+/// The sum of the moments times the projectors onto the columns: xx, yy, zz, xy, xz, yz.
+std::array<rational, 6> turned_tensor(const vector& moments, const std::array<vector, 3>& axes) {
+  std::array<rational, 6> t;
+  for (std::size_t e = 0; e < 6; ++e) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      t.at(e) +=
+          moments.at(i) * axes.at(i).at(places.at(e).first) * axes.at(i).at(places.at(e).second);
+    }
+  }
+  return t;
+}
+
+/// Tensors R D R^T with rational R and D of which the moments, the axes, the kind and the nearest
+/// physical tensor are known: moments far apart, very near each other, equal, planar and
+/// non-physical ones.
+TEST(rotation, tensors_in_turned_frames) {
+  run_cases("rotation", "tensors in turned frames", 300, [](std::uint64_t seed, counts& c) {
+    maker m(seed);
+    const rational scale = m.one_in(3) ? power_of_ten(m.between(-300, 300)) : rational(1);
+    const auto positive = [&] { return exact(m.rational_near(m.scattered(0.01, 10))); };
+    vector d{positive(), positive(), positive()};
+    if (m.one_in(3)) d[1] = d[0] + m.between(-1, 1) * power_of_ten(-m.between(3, 60));
+    if (m.one_in(5)) d[2] = rational(d[0] + d[1]);  // planar
+    for (rational& moment : d) moment = rational(abs(moment) * scale);
+    const auto rotation = draw_rotation(m);
+    const auto tensor = turned_tensor(d, rotation);
+    std::string command = "polhode body --tensor \"";
+    for (const rational& entry : tensor) command += to_text(entry) + ",";
+    command.back() = '"';
+    under_way(command);
+    ++c.cases;
+    std::array<std::size_t, 3> order{0, 1, 2};
+    std::ranges::sort(order, [&](std::size_t x, std::size_t y) { return d.at(x) > d.at(y); });
+    const auto expect = [&](bool holds, const std::string& what) {
+      ++c.checks;
+      if (holds) return;
+      ++c.wrong;
+      ADD_FAILURE() << what << " of " << command;
+    };
+    const principal_axes found(tensor);
+    ++c.computed;
+    ++c.certified;
+    const bool differ = d[0] != d[1] && d[1] != d[2] && d[0] != d[2];
+    const rational margin = d.at(order[1]) + d.at(order[2]) - d.at(order[0]);
+    expect(found.kind() == (margin > 0    ? body_kind::physical
+                            : margin == 0 ? body_kind::planar
+                                          : body_kind::non_physical),
+           "the kind");
+    expect(found.margin().as_rational() == margin, "the margin");
+    expect(found.rigid().has_value() == differ, "the body");
+    const precision p = m.between(40, 300);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t own = order.at(i);
+      expect(found.moments().at(i).as_rational() == d.at(own), fmt::format("moment {}", i));
+      const auto axis = found.axis(i, p);
+      const auto projector = found.projector(i);
+      if (!differ) continue;
+      const vector& column = rotation.at(own);
+      const int sign = contains(axis[0], column[0]) && contains(axis[1], column[1]) &&
+                               contains(axis[2], column[2])
+                           ? 1
+                           : -1;
+      for (std::size_t k = 0; k < 3; ++k) {
+        expect(contains(axis.at(k), rational(sign * column.at(k))), fmt::format("axis {}", i));
+        expect(projector.at(k).as_rational() == column.at(k) * column.at(k), "a projector");
+      }
+    }
+    const auto nearest = nearest_physical(found);
+    expect(nearest.has_value() == (margin < 0), "whether there is a nearest physical tensor");
+    if (!nearest || !differ) return;
+    vector moved = d;
+    moved.at(order[0]) += margin / 3;
+    moved.at(order[1]) -= margin / 3;
+    moved.at(order[2]) -= margin / 3;
+    const auto expected = turned_tensor(moved, rotation);
+    for (std::size_t e = 0; e < 6; ++e) {
+      expect(nearest->tensor.at(e).as_rational() == expected.at(e), "the nearest physical tensor");
+    }
+    expect(overlaps(nearest->distance(p), ball(rational(-margin), p) / sqrt(ball(3, p))),
+           "the distance");
+  });
+}
+
+/// Any symmetric tensors, whose moments and axes are irrational as a rule: T v = I v, v_i v_j is 0
+/// or 1, the determinant is 1, and the moments are those of the same tensor in a turned frame.
+TEST(rotation, axes_of_any_tensors) {
+  run_cases("rotation", "axes of any tensors", 300, [](std::uint64_t seed, counts& c) {
+    maker m(seed);
+    std::array<rational, 6> t;
+    for (std::size_t e = 0; e < 6; ++e) {
+      t.at(e) = exact(e < 3 ? m.rational_near(m.within(1, 6)) : m.rational_near(m.within(-1, 1)));
+      if (e >= 3 && m.one_in(3))
+        t.at(e) = m.one_in(2) ? rational(0) : rational(t.at(e) / 1000000007);
+    }
+    std::string command = "polhode body --tensor \"";
+    for (const rational& entry : t) command += to_text(entry) + ",";
+    command.back() = '"';
+    under_way(command);
+    ++c.cases;
+    try {
+      const principal_axes found(t);
+      ++c.computed;
+      ++c.certified;
+      const precision p = m.between(60, 300);
+      const std::array<std::array<rational, 3>, 3> rows{
+          {{t[0], t[3], t[4]}, {t[3], t[1], t[5]}, {t[4], t[5], t[2]}}};
+      std::array<std::array<ball, 3>, 3> v{found.axis(0, p), found.axis(1, p), found.axis(2, p)};
+      const auto dot = [&](const auto& x, const auto& y) {
+        return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+      };
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          compare(dot(v.at(i), rows.at(k)), found.moments().at(i).at(p) * v.at(i).at(k),
+                  "T v of " + command, "I v", c);
+          compare(dot(v.at(i), v.at(k)), ball(i == k ? 1 : 0, p), "v v of " + command, "0 or 1", c);
+        }
+      }
+      const std::array<ball, 3> across{v[1][1] * v[2][2] - v[1][2] * v[2][1],
+                                       v[1][2] * v[2][0] - v[1][0] * v[2][2],
+                                       v[1][0] * v[2][1] - v[1][1] * v[2][0]};
+      compare(dot(v[0], across), ball(1, p), "the determinant of " + command, "1", c);
+      // In another frame: R T R^T by its columns.
+      const auto rotation = draw_rotation(m);
+      std::array<rational, 6> turned;
+      for (std::size_t e = 0; e < 6; ++e) {
+        const auto& [a, b] = places.at(e);
+        for (std::size_t i = 0; i < 3; ++i) {
+          turned.at(e) += rotation.at(a).at(i) * dot(rotation.at(b), rows.at(i));
+        }
+      }
+      const principal_axes other(turned);
+      ++c.computed;
+      for (std::size_t i = 0; i < 3; ++i) {
+        compare(found.moments().at(i).at(p), other.moments().at(i).at(p),
+                fmt::format("moment {} of {}", i, command), "in a turned frame", c);
+      }
+      ++c.checks;
+      if (found.kind() != other.kind()) {
+        ++c.wrong;
+        ADD_FAILURE() << "the kind of " << command << " changes in a turned frame";
+      }
+    } catch (const input_error&) {  // not positive definite
+      ++c.refused;
+    }
   });
 }
 

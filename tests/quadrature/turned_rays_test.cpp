@@ -33,6 +33,25 @@ TEST(TurnedRays, OfPolynomialPhases) {
       20'000);
 }
 
+TEST(TurnedRays, OfAmplitudesThatDecaySlowly) {
+  expect_known(
+      {
+          {"sin(x)/log(x)", "2", "inf", "-0.09643770492506484527983902009171086648725"},
+          {"cos(x)*log(x)*x^(-1/e)", "1", "inf", "-0.5439047543323245102786419700047497459983"},
+          {"sin(x^2)/log(x)", "2", "inf", "-0.2687921176325079990273093279124532858371"},
+          {"sin(x)*x^(-1/sqrt(2))", "0", "inf", "1.362210087485961792816256011479217022295"},
+          {"cos(x^2)*x^(1/pi)", "0", "inf", "0.3488921298663244937840703115257619494355"},
+      },
+      20'000);
+  for (const char* text :
+       {"sin(x)*log(x)/log(1+x)", "sin(x)*x^(1/pi)", "sin(x^2)*x*log(x)/log(x+2)",
+        "sin(x)*log(x)^2/log(1+x)", "sin(x)*(x/(1+x))^sqrt(2)", "sin(x)/log(x)", "sin(x)/log(x-2)",
+        "sin(x)/log(x^2-6*x+10)"}) {
+    SCOPED_TRACE(text);
+    EXPECT_NE(integrate(parse(text), 1, end_point::infinity()).verdict, status::certified);
+  }
+}
+
 /// The third is problem 1 of L. N. Trefethen's hundred-digit challenge (SIAM News 35, 2002).
 TEST(TurnedRays, OfPhasesWithLogarithms) {
   expect_known(

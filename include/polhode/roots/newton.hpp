@@ -15,13 +15,13 @@ namespace polhode {
 
 /// What is proved about the roots of f in a box.
 enum class root_verdict {
-  unique,        // there is exactly one, it is simple, and the enclosure holds it
-  multiple,      // there is exactly one, and its multiplicity is proved to be 2 or more
-  isolated,      // there is exactly one, where f has no multiplicity: at a kink or branch point
-  at_least_one,  // there is one; that it is the only one is not proved
+  unique,           // there is exactly one, it is simple, and the enclosure holds it
+  multiple,         // there is exactly one, and its multiplicity is proved to be 2 or more
+  isolated,         // there is exactly one, where f has no multiplicity: at a kink or branch point
+  at_least_one,     // there is one; that it is the only one is not proved
   infinitely_many,  // there are infinitely many
-  none,          // there is none
-  unresolved     // nothing is proved: none, one or more
+  none,             // there is none
+  unresolved        // nothing is proved: none, one or more
 };
 
 [[nodiscard]] std::string to_text(root_verdict v);

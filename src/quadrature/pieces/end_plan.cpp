@@ -99,7 +99,7 @@ std::optional<end_plan> plan_from_growth(const integrand& f, const end_of_range&
     if (best && r <= farthest) break;
     const growth_bound g =
         f.growth(growth_bound::argument(exactly(end.at), exactly(end.distance), q, r));
-    if (g.is_blocked() || g.factor().is_infinite() || g.oscillates()) continue;
+    if (g.is_blocked() || g.factor().is_infinite()) continue;
     end_plan plan;
     plan.exponent = g.exponent() + (q - 1);
     const bool diverges =
@@ -116,7 +116,11 @@ std::optional<end_plan> plan_from_growth(const integrand& f, const end_of_range&
     const double factor = g.factor().is_zero() ? 0 : static_cast<double>(g.factor().log2_floor());
     const double small_from =
         std::min(r, std::exp2(-(wanted_bits + factor) / static_cast<double>(plan.exponent + 1)));
-    if (best && small_from <= farthest) continue;
+    // Panels can follow few oscillations.
+    constexpr double oscillations_from = 0x1p-8;
+    if ((best && small_from <= farthest) || (g.oscillates() && small_from < oscillations_from)) {
+      continue;
+    }
     farthest = small_from;
     best = plan;
   }

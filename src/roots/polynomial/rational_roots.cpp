@@ -47,27 +47,53 @@ std::optional<std::vector<std::uint64_t>> simple_roots_mod(const std::vector<int
   return roots;
 }
 
-/// {p(x), p'(x)} modulo m.
-std::pair<integer, integer> values_mod(const std::vector<integer>& p, const integer& x,
-                                       const integer& m) {
-  integer value = 0;
-  integer slope = 0;
-  for (std::size_t k = p.size(); k-- > 0;) {
-    slope = (slope * x + value) % m;
-    value = (value * x + p[k]) % m;
+/// A polynomial modulo l^2, l^4, l^8, ..., made once for all roots.
+class lifted_images {
+ public:
+  struct image {
+    integer modulus;
+    std::vector<integer> p;
+
+    /// {p(x), p'(x)} modulo the modulus.
+    [[nodiscard]] std::pair<integer, integer> values(const integer& x) const {
+      integer value = 0;
+      integer slope = 0;
+      for (std::size_t k = p.size(); k-- > 0;) {
+        slope = (slope * x + value) % modulus;
+        value = (value * x + p[k]) % modulus;
+      }
+      return {value, slope};
+    }
+  };
+
+  lifted_images(const std::vector<integer>& p, std::uint64_t prime) : p_(p), next_(prime) {}
+
+  /// Modulo l to the power 2^(k + 1).
+  const image& at(std::size_t k) {
+    while (images_.size() <= k) {
+      next_ *= next_;
+      images_.push_back({next_, {}});
+      for (const integer& c : p_) images_.back().p.push_back(c % next_);
+    }
+    return images_[k];
   }
-  return {value, slope};
-}
+
+ private:
+  const std::vector<integer>& p_;
+  integer next_;
+  std::vector<image> images_;
+};
 
 /// The one rational number with a x in the bound whose residue modulo the prime is the given one,
 /// if it can be a root.
-std::optional<rational> lifted(const std::vector<integer>& p, std::uint64_t residue,
-                               std::uint64_t prime, const integer& bound) {
+std::optional<rational> lifted(const std::vector<integer>& p, lifted_images& images,
+                               std::uint64_t residue, std::uint64_t prime, const integer& bound) {
   integer x = residue;
   integer modulus = prime;
-  while (modulus <= 2 * bound) {
-    modulus *= modulus;
-    const auto [value, slope] = values_mod(p, x, modulus);
+  for (std::size_t k = 0; modulus <= 2 * bound; ++k) {
+    const lifted_images::image& image = images.at(k);
+    modulus = image.modulus;
+    const auto [value, slope] = image.values(x);
     integer inverse;
     if (mpz_invert(inverse.backend().data(), of(slope), of(modulus)) == 0) return std::nullopt;
     x = (x - value * inverse) % modulus;
@@ -90,10 +116,13 @@ std::optional<std::vector<integer>> quotient_by(const std::vector<integer>& p,
   std::vector<integer> quotient(p.size() - 1);
   integer carry = 0;
   for (std::size_t k = p.size() - 1; k > 0; --k) {
-    const integer c = p[k] + carry;
-    if (mpz_divisible_p(of(c), of(d)) == 0) return std::nullopt;
-    quotient[k - 1] = c / d;
-    carry = quotient[k - 1] * n;
+    integer& c = quotient[k - 1];
+    c = p[k] + carry;
+    if (d != 1) {
+      if (mpz_divisible_p(of(c), of(d)) == 0) return std::nullopt;
+      c /= d;
+    }
+    carry = c * n;
   }
   if (p.front() + carry != 0) return std::nullopt;
   return quotient;
@@ -137,8 +166,9 @@ rational_roots rational_roots_of(const rational_polynomial& given) {
       abs(p.back()) * root_bound(rational_polynomial(std::vector<rational>(p.begin(), p.end())));
   const integer bound = numerator(greatest) / denominator(greatest);
   const std::vector<integer> whole = p;
+  lifted_images images(whole, prime);
   for (const std::uint64_t residue : *residues_of_roots) {
-    const std::optional<rational> candidate = lifted(whole, residue, prime, bound);
+    const std::optional<rational> candidate = lifted(whole, images, residue, prime, bound);
     if (!candidate) continue;
     if (auto quotient = quotient_by(p, *candidate)) {
       result.roots.push_back(*candidate);
