@@ -53,16 +53,24 @@ class lifted_images {
   struct image {
     integer modulus;
     std::vector<integer> p;
+    residues short_p;  // where the modulus has 31 bits at most: p
 
-    /// {p(x), p'(x)} modulo the modulus.
+    /// {p(x), p'(x)} modulo the modulus, for x from 0 below it.
     [[nodiscard]] std::pair<integer, integer> values(const integer& x) const {
-      integer value = 0;
-      integer slope = 0;
+      if (!short_p.empty()) return values_of(short_p, mpz_get_ui(of(x)), mpz_get_ui(of(modulus)));
+      return values_of(p, x, modulus);
+    }
+
+   private:
+    template <class N>
+    static std::pair<integer, integer> values_of(const std::vector<N>& p, const N& x, const N& m) {
+      N value = 0;
+      N slope = 0;
       for (std::size_t k = p.size(); k-- > 0;) {
-        slope = (slope * x + value) % modulus;
-        value = (value * x + p[k]) % modulus;
+        slope = (slope * x + value) % m;
+        value = (value * x + p[k]) % m;
       }
-      return {value, slope};
+      return {integer(value), integer(slope)};
     }
   };
 
@@ -71,9 +79,20 @@ class lifted_images {
   /// Modulo l to the power 2^(k + 1).
   const image& at(std::size_t k) {
     while (images_.size() <= k) {
+      constexpr std::size_t most_short_bits = 31;
       next_ *= next_;
-      images_.push_back({next_, {}});
-      for (const integer& c : p_) images_.back().p.push_back(c % next_);
+      images_.push_back({next_, {}, {}});
+      image& made = images_.back();
+      const bool is_short = mpz_sizeinbase(of(next_), 2) <= most_short_bits;
+      integer rest;
+      for (const integer& c : p_) {
+        mpz_fdiv_r(rest.backend().data(), of(c), of(next_));
+        if (is_short) {
+          made.short_p.push_back(mpz_get_ui(of(rest)));
+        } else {
+          made.p.push_back(rest);
+        }
+      }
     }
     return images_[k];
   }
@@ -96,7 +115,8 @@ std::optional<rational> lifted(const std::vector<integer>& p, lifted_images& ima
     const auto [value, slope] = image.values(x);
     integer inverse;
     if (mpz_invert(inverse.backend().data(), of(slope), of(modulus)) == 0) return std::nullopt;
-    x = (x - value * inverse) % modulus;
+    x = x - value * inverse;
+    mpz_fdiv_r(x.backend().data(), of(x), of(modulus));
   }
   integer product = p.back() * x % modulus;
   if (product < 0) product += modulus;
