@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <utility>
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/on_first_use.hpp"
 #include "endless_roots.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/gamma_quotients.hpp"
@@ -316,6 +316,28 @@ expression factored(const expression& f) {
   return product ? expression(*product, f.names()) : f;
 }
 
+/// f over balls, jets and series, each with its constants made with p bits when it is first called:
+/// one or two of them are called as a rule.
+struct formula_evaluators {
+  std::shared_ptr<const expression> f;
+  precision p;
+  detail::on_first_use<compiled_expression<ball>> value;
+  detail::on_first_use<compiled_expression<jet<ball, 1>>> slope;
+  detail::on_first_use<compiled_expression<jet<ball, dynamic_order>>> series;
+
+  [[nodiscard]] ball value_at(const ball& x) const {
+    return value.made_by([this] { return f->evaluator<ball>(p); })(x);
+  }
+  [[nodiscard]] jet<ball, 1> slope_at(const ball& x) const {
+    return slope.made_by([this] { return f->evaluator<jet<ball, 1>>(p); })(
+        jet<ball, 1>::variable(x));
+  }
+  [[nodiscard]] jet<ball, dynamic_order> series_at(const ball& x, int n) const {
+    return series.made_by([this] { return f->evaluator<jet<ball, dynamic_order>>(p); })(
+        jet<ball, dynamic_order>::variable(x, n));
+  }
+};
+
 }  // namespace
 }  // namespace formula_function_impl
 
@@ -337,18 +359,18 @@ real_function::real_function(const expression& f) {
       quotient_ = std::make_shared<const rational_quotient>(std::move(*q));
     }
   }
-  using slope_type = jet<ball, 1>;
-  using series_type = jet<ball, dynamic_order>;
-  at_ = [f](precision p) {
+  at_ = [shared = std::make_shared<const expression>(f)](precision p) {
+    const auto all = std::make_shared<formula_function_impl::formula_evaluators>();
+    all->f = shared;
+    all->p = p;
+    // The functions refer to the state by an address, so that each is kept without an allocation.
+    const formula_function_impl::formula_evaluators* const at_p = all.get();
     function_evaluator e;
-    e.value = f.evaluator<ball>(p);
-    e.slope = [g = f.evaluator<slope_type>(p)](const ball& x) {
-      return g(slope_type::variable(x));
-    };
-    e.derivative = [slope = e.slope](const ball& x) { return slope(x)[1]; };
-    e.series = [g = f.evaluator<series_type>(p)](const ball& x, int n) {
-      return g(series_type::variable(x, n));
-    };
+    e.value = [at_p](const ball& x) { return at_p->value_at(x); };
+    e.slope = [at_p](const ball& x) { return at_p->slope_at(x); };
+    e.derivative = [at_p](const ball& x) { return at_p->slope_at(x)[1]; };
+    e.series = [at_p](const ball& x, int n) { return at_p->series_at(x, n); };
+    e.state = all;
     return e;
   };
   over_ = [f, in_hardware = f.evaluator<region>(64)](const region& x) {

@@ -37,6 +37,8 @@ struct function_evaluator {
   std::function<jet<ball, 1>(const ball& x)> slope;
   /// {f, f', ..., f^(n)/n!} over x.
   std::function<jet<ball, dynamic_order>(const ball& x, int n)> series;
+  /// What the functions refer to, where it is not in them: a copy of one of them needs it.
+  std::shared_ptr<const void> state = nullptr;
 };
 
 class real_function {

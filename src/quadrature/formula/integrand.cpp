@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +12,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/on_first_use.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/symbol.hpp"
@@ -45,25 +45,16 @@ namespace {
 /// f over T, its constants made with p bits when it is first called.
 template <class T>
 std::function<T(const T&)> made_on_first_use(const expression& f, precision p) {
-  struct evaluator {
-    std::once_flag once;
-    std::optional<compiled_expression<T>> made;
-  };
-  return [f, p, g = std::make_shared<evaluator>()](const T& x) {
-    std::call_once(g->once, [&] { g->made.emplace(f.evaluator<T>(p)); });
-    return (*g->made)(x);
+  return [f, p, g = std::make_shared<detail::on_first_use<compiled_expression<T>>>()](const T& x) {
+    return g->made_by([&] { return f.evaluator<T>(p); })(x);
   };
 }
 
 std::function<std::shared_ptr<const detail::formula_graph>()> graph_on_first_use(
     const expression& f) {
-  struct graph {
-    std::once_flag once;
-    std::shared_ptr<const detail::formula_graph> made;
-  };
-  return [f, g = std::make_shared<graph>()] {
-    std::call_once(g->once, [&] { g->made = std::make_shared<const detail::formula_graph>(f); });
-    return g->made;
+  using made_graph = std::shared_ptr<const detail::formula_graph>;
+  return [f, g = std::make_shared<detail::on_first_use<made_graph>>()] {
+    return g->made_by([&] { return std::make_shared<const detail::formula_graph>(f); });
   };
 }
 

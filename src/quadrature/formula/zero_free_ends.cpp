@@ -1,8 +1,8 @@
 #include "polhode/quadrature/zero_free_ends.hpp"
 
-#include <mutex>
 #include <utility>
 
+#include "base/on_first_use.hpp"
 #include "polhode/arithmetic/interval.hpp"
 #include "polhode/expression/evaluation.hpp"
 #include "polhode/expression/symbol.hpp"
@@ -15,8 +15,7 @@ struct zero_free_ends::formula {
   explicit formula(expression given) : f(std::move(given)) {}
 
   expression f;
-  std::once_flag is_prepared;
-  detail::integrand prepared;
+  detail::on_first_use<detail::integrand> prepared;
 };
 
 namespace zero_free_ends_impl {
@@ -99,10 +98,10 @@ bool zero_free_ends::beside(const pi_combination& at, const rational& width) con
   if (bound.is_nowhere_defined() || has_no_zero(bound)) return true;
   if (f.variables().size() == 1) {
     // The series, in which exact rules know the values at the point, has a sign.
-    std::call_once(formula_->is_prepared, [&] { formula_->prepared = integrand_of(f); });
+    const detail::integrand& prepared = formula_->prepared.made_by([&] { return integrand_of(f); });
     const end_series x =
         end_series::argument(known_number(at), known_number(rational(4 * width)), 1, 0.25);
-    if (formula_->prepared.near_end(x).sign() != 0) return true;
+    if (prepared.near_end(x).sign() != 0) return true;
     // |x - at| <= |width| is s >= -log |width|.
     const rational from = lower_rational(-log(ball(rational(abs(width)), 64)));
     const auto in_s = from > 0 ? in_exponential(f, at, width > 0 ? 1 : -1) : std::nullopt;
