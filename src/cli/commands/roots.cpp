@@ -302,8 +302,9 @@ std::string summary(const answer& a) {
           return r.region.verdict == root_verdict::infinitely_many;
         }));
     if (endless > 0) {
-      const std::string holders = endless == 1 ? "the region that holds them"
-                                               : fmt::format("the {} regions that hold them", endless);
+      const std::string holders = endless == 1
+                                      ? "the region that holds them"
+                                      : fmt::format("the {} regions that hold them", endless);
       return fmt::format("certified: infinitely many roots; outside {} {}, all there are ({})\n",
                          holders, counted(a.list.size() - endless, "root"), work);
     }
