@@ -83,7 +83,9 @@ std::optional<Series> by_leading_term(const F& f, const std::vector<Series>& x,
     const auto rest = of_size(f, formula_over(near->rest, names, x), last, near->oscillates);
     if (!rest) return std::nullopt;
     const Series main = formula_over(near->main, names, x);
-    return is_unknown(main) ? std::nullopt : std::optional(main + *rest);
+    // A wave that the series cannot follow may still have a bound.
+    if (near->oscillates && is_unknown(main)) return std::nullopt;
+    return main + *rest;
   } else {
     return std::nullopt;
   }
