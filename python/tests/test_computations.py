@@ -116,6 +116,8 @@ def test_roots_are_all_there_are():
     assert periodic.certified and periodic.period == "2*pi" and len(periodic) == 3
     assert [float(end) for end in periodic.period_range] == [0, 2 * math.pi]
     assert "in one period, 2*pi" in repr(periodic)
+    endless = polhode.roots("tan(x) - x", 1, polhode.oo, 15)
+    assert endless.certified and endless[-1].verdict == "infinitely many"
     zero = polhode.roots("x - x", 0, 1)
     assert zero.identically_zero and "0 everywhere" in repr(zero)
     flat = polhode.roots("max(x, 0)*(x - 1/2)", -1, 1)

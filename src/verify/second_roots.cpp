@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -61,6 +62,22 @@ void expect_same(std::size_t index, const finding<proved_root>& first,
   }
 }
 
+/// The regions that are proved to hold infinitely many roots.
+std::vector<ball> endless_parts(const proved_roots& list) {
+  std::vector<ball> result;
+  for (const proved_root& r : list.roots) {
+    if (r.verdict == root_verdict::infinitely_many) result.push_back(r.enclosure);
+  }
+  return result;
+}
+/// The roots that are certainly in none of these.
+std::vector<proved_root> outside(std::vector<proved_root> roots, const std::vector<ball>& parts) {
+  std::erase_if(roots, [&](const proved_root& r) {
+    return std::ranges::any_of(parts, [&](const ball& x) { return overlaps(r.enclosure, x); });
+  });
+  return roots;
+}
+
 }  // namespace
 
 std::optional<std::string> compare(const finding<proved_roots>& first,
@@ -79,10 +96,22 @@ std::optional<std::string> compare(const finding<proved_roots>& first,
   if (one.identically_zero) return std::nullopt;
   expect_places(first, second);
   expect_places(second, first);
-  if (!one.is_resolved() || !other.is_resolved()) return "it leaves places open";
-  if (one.roots.size() != other.roots.size()) contradict_as_a_whole();
-  for (std::size_t i = 0; i < one.roots.size(); ++i) {
-    expect_same(i, {first.route, one.roots[i]}, {second.route, other.roots[i]});
+  const std::vector<ball> endless = endless_parts(one);
+  const std::vector<ball> also_endless = endless_parts(other);
+  if (endless.empty() != also_endless.empty()) return "it does not find infinitely many roots";
+  const std::vector<proved_root> roots = outside(outside(one.roots, endless), also_endless);
+  const std::vector<proved_root> others = outside(outside(other.roots, endless), also_endless);
+  const auto is_resolved = [](const proved_root& r) { return r.is_resolved(); };
+  if (!one.complete || !other.complete || !std::ranges::all_of(roots, is_resolved) ||
+      !std::ranges::all_of(others, is_resolved)) {
+    return "it leaves places open";
+  }
+  if (roots.size() != others.size()) {
+    if (!endless.empty()) return "it finds another number of roots outside the endless parts";
+    contradict_as_a_whole();
+  }
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    expect_same(i, {first.route, roots[i]}, {second.route, others[i]});
   }
   return std::nullopt;
 }

@@ -205,6 +205,18 @@ TEST(SecondOpinion, ListsOfRootsThatExcludeEachOtherContradict) {
                {"root 2", "multiplicity 1", "multiplicity 2"});
 }
 
+TEST(SecondOpinion, ListsThatEndBeforeInfinitelyManyRootsAgreeInTheOthers) {
+  const auto rest = [](const char* lower) {
+    return proved_root{root_verdict::infinitely_many, 0, from(lower, "9"), false};
+  };
+  const auto first = list("a", {simple("1", "1.1"), rest("5")});
+  EXPECT_FALSE(compare(first, list("b", {simple("1", "1.1"), simple("6", "6.1"), rest("7")})));
+  EXPECT_TRUE(compare(first, list("b", {simple("1", "1.1"), simple("6", "6.1")})).has_value());
+  EXPECT_THROW((void)compare(first, list("b", {rest("5")})), contradiction_error);
+  const auto more = list("b", {simple("1", "1.1"), simple("4", "4.1"), rest("5")});
+  EXPECT_THROW((void)compare(first, more), contradiction_error);
+}
+
 TEST(SecondOpinion, WhatIsOpenConfirmsNothingAndExcludesLittle) {
   const auto first = list("a", {simple("1", "1.1"), simple("2", "2.1")});
   auto open = first;
