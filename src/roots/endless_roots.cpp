@@ -25,6 +25,7 @@
 #include "endless_roots.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -142,9 +143,10 @@ class turning_function {
     pi_combination s;
     for (long k = 0; k <= parts; ++k) {
       const pi_combination t = f_.period * rational(k, parts);
-      const expression here = numerator_.at(t).with_rational_constants();
-      if (here.is_formally_zero() && is_defined_at(t)) return true;
-      const int sign = beyond_.sign_of(here);
+      const std::optional<expression> here = numerator_at(t);
+      if (!here) continue;
+      if (here->is_formally_zero() && is_defined_at(t)) return true;
+      const int sign = beyond_.sign_of(*here);
       if (sign == 0) continue;
       if (sign * last < 0 && is_defined_between(s, t)) return true;
       last = sign;
@@ -153,6 +155,14 @@ class turning_function {
     return false;
   }
 
+  /// None where it has no value for this angle.
+  [[nodiscard]] std::optional<expression> numerator_at(const pi_combination& w) const {
+    try {
+      return numerator_.at(w).with_rational_constants();
+    } catch (const input_error&) {
+      return std::nullopt;
+    }
+  }
   [[nodiscard]] bool is_defined_at(const pi_combination& w) const {
     return std::ranges::all_of(divisors_, [&](const function_of_angle& d) {
       if (!d.depends_on_angle_alone()) return false;
@@ -180,11 +190,14 @@ class turning_function {
 };
 
 bool has_endless_roots_rightward(const expression& f) {
+  constexpr std::size_t most_angles = 8;  // they take time
   for (const unsigned e : {8U, 24U, 64U}) {
     const far_out beyond(rational(integer(1) << e));
     const auto by_waves = f.by_waves([&](const expression& u) { return beyond.sign_of(u); });
     const expression& g = by_waves ? *by_waves : f;
-    for (const expression::unwound& turning : g.unwound_angles()) {
+    std::vector<expression::unwound> angles = g.unwound_angles();
+    if (angles.size() > most_angles) angles.erase(angles.begin() + most_angles, angles.end());
+    for (const expression::unwound& turning : angles) {
       const auto parts = turning.of_angle.as_fraction();
       if (parts && turning_function(turning, *parts, beyond).has_endless_zeros()) return true;
     }
@@ -200,22 +213,30 @@ bool has_endless_roots_along(const expression& f, const symbol& x) {
 bool has_endless_roots_beside(const expression& f, const expression& p, int side) {
   const symbol x = symbol::variable(0);
   const symbol end = p.evaluate(std::span<const symbol>());
+  if (has_endless_roots_along(f, end + symbol(side) / x)) return true;
+  // At x = p + side e^-s; with the factor |dx/ds| of the substitution it is f again.
+  const auto in_s =
+      expression(f(x) / (symbol(side) * (x - end)), f.names()).in_exponential(&p, side);
+  return in_s && has_endless_roots_rightward(*in_s);
+}
+
+/// What `prove` returns; false where an operation that it makes has no value anywhere.
+template <class Prove>
+bool is_proved_by(const Prove& prove) {
   try {
-    if (has_endless_roots_along(f, end + symbol(side) / x)) return true;
-    // At x = p + side e^-s; with the factor |dx/ds| of the substitution it is f again.
-    const auto in_s =
-        expression(f(x) / (symbol(side) * (x - end)), f.names()).in_exponential(&p, side);
-    return in_s && has_endless_roots_rightward(*in_s);
+    return prove();
   } catch (const input_error&) {
-    return false;  // it has no value anywhere
+    return false;
   }
 }
 
 }  // namespace
 
 bool has_endless_roots(const expression& f, int side) {
-  return side > 0 ? has_endless_roots_rightward(f)
-                  : has_endless_roots_along(f, -symbol::variable(0));
+  return is_proved_by([&] {
+    return side > 0 ? has_endless_roots_rightward(f)
+                    : has_endless_roots_along(f, -symbol::variable(0));
+  });
 }
 
 bool has_endless_roots_in(const expression& f, const rational& lower, const rational& upper) {
@@ -225,15 +246,14 @@ bool has_endless_roots_in(const expression& f, const rational& lower, const rati
     return !x.is_undefined() && certainly_less(ball(lower, many_bits), x) &&
            certainly_less(x, ball(upper, many_bits));
   };
+  const auto is_beside = [&](const expression& p, int side) {
+    return is_proved_by([&] { return has_endless_roots_beside(f, p, side); });
+  };
   const auto at = [](const rational& x) { return expression(symbol(x), {}); };
-  if (lower < upper &&
-      (has_endless_roots_beside(f, at(lower), 1) || has_endless_roots_beside(f, at(upper), -1))) {
-    return true;
-  }
+  if (lower < upper && (is_beside(at(lower), 1) || is_beside(at(upper), -1))) return true;
   const std::vector<expression> points = f.divisor_zeros(double_interval::from_ball(range));
   return std::ranges::any_of(points, [&](const expression& p) {
-    return is_between(p.value(many_bits)) &&
-           (has_endless_roots_beside(f, p, 1) || has_endless_roots_beside(f, p, -1));
+    return is_between(p.value(many_bits)) && (is_beside(p, 1) || is_beside(p, -1));
   });
 }
 
