@@ -111,6 +111,7 @@ std::optional<end_plan> plan_from_growth(const integrand& f, const end_of_range&
     plan.bounds = {g.factor()};
     plan.has_growth_only = true;
     plan.has_growing_parts = g.has_growing_parts();
+    plan.oscillates = g.oscillates();
     if (diverges) return plan;
     constexpr double wanted_bits = 128;
     const double factor = g.factor().is_zero() ? 0 : static_cast<double>(g.factor().log2_floor());
@@ -180,7 +181,7 @@ end_plan look_at_end(const integrand& f, const end_of_range& end) {
     const bool is_at_0 = end.at.exact() && *end.at.exact() == 0;
     if (end.infinite || is_at_0) {
       const auto plan = plan_from_growth(f, end);
-      if (plan && !plan->has_growing_parts) return *plan;
+      if (plan && !plan->has_growing_parts && !plan->oscillates) return *plan;
       best.growth_is_known = true;
       if (plan) best.last_resort = std::make_shared<const end_plan>(*plan);
     }

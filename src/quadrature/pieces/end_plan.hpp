@@ -55,6 +55,8 @@ struct end_plan {
   bool has_growth_only = false;
   /// As growth_bound::has_growing_parts: a last resort.
   bool has_growing_parts = false;
+  /// Panels have to follow an oscillation: a last resort.
+  bool oscillates = false;
   std::string obstacle;
   /// Where look_at_end knows no other plan than a last resort, that one.
   std::shared_ptr<const end_plan> last_resort = nullptr;
