@@ -721,6 +721,14 @@ TEST(ZeroFreeEnds, TakeNoLeadingTermBeforeItHolds) {
   expect_resolved(isolate_roots(parse("zeta(x) - 1 - 2^(-x) - 3/10"), 2, end_point::infinity()), 1);
 }
 
+/// e^-x I(x) sqrt(2 pi x) is 1 + 1/(8 x) + ...: less 1 + 1/(10 x) it is positive, which the leading
+/// term 1 does not tell.
+TEST(ZeroFreeEnds, TakeTheRestBesideALeadingTerm) {
+  if (arb_functions()->empty()) GTEST_SKIP() << "the library was built without Arb";
+  EXPECT_EQ(zero_free_ends(parse("besselIx(0,x)*sqrt(2*pi*x)-1-1/(10*x)")).sign_beyond(16), 0);
+  EXPECT_EQ(zero_free_ends(parse("besselIx(0,x)*sqrt(2*pi*x)-1-1/x")).sign_beyond(16), -1);
+}
+
 /// J is 0 at 0, where its formula alone knows its value.
 TEST(IsolateRoots, HaveNoneAtABranchPointOnlyWhereTheValueIsNotZero) {
   expect_resolved(isolate_roots(parse("x^x + 1"), 0, 1), 0);
