@@ -46,10 +46,17 @@ TEST(TurnedRays, OfAmplitudesThatDecaySlowly) {
   for (const char* text :
        {"sin(x)*log(x)/log(1+x)", "sin(x)*x^(1/pi)", "sin(x^2)*x*log(x)/log(x+2)",
         "sin(x)*log(x)^2/log(1+x)", "sin(x)*(x/(1+x))^sqrt(2)", "sin(x)/log(x)", "sin(x)/log(x-2)",
-        "sin(x)/log(x^2-6*x+10)"}) {
+        "sin(x)/log(x^2-6*x+10)", "sin(x)/log(x/3)", "sin(x^2)*x^(1+1/pi)"}) {
     SCOPED_TRACE(text);
     EXPECT_NE(integrate(parse(text), 1, end_point::infinity()).verdict, status::certified);
   }
+}
+
+/// The logarithm is a divisor, and 0 at 3.
+TEST(TurnedRays, StartBeyondTheZeroOfALogarithm) {
+  const auto rays = parse("sin(x)/log(x/3)").on_turned_rays(1);
+  ASSERT_TRUE(rays);
+  EXPECT_GT(rays->start, 3);
 }
 
 /// The third is problem 1 of L. N. Trefethen's hundred-digit challenge (SIAM News 35, 2002).
