@@ -115,7 +115,7 @@ class unwinding {
 
   /// The argument of a function as a linear form, of the argument itself where it is no other.
   linear_form form_of(node_id argument, operation of) {
-    const linear_form itself{argument, g_.number(1), g_.number(0), {1, 0}};
+    linear_form itself{argument, g_.number(1), g_.number(0), {1, 0}};
     linear_form form = itself;
     if (const auto c = detail::polynomial_in_variable(g_, argument); c && c->size() == 2) {
       form = {g_.variable(0), (*c)[1], (*c)[0], {}};

@@ -49,7 +49,7 @@ symbol symbol_of(const pi_combination& x) {
 /// continuous functions of x whose values lie in [-1, 1] (expression::by_waves).
 class far_out {
  public:
-  explicit far_out(const rational& from) : from_(from) {}
+  explicit far_out(rational from) : from_(std::move(from)) {}
 
   [[nodiscard]] int sign_of(const expression& f) const {
     return zero_free_ends(of_x_alone(f)).sign_beyond(from_);
