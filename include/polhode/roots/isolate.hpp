@@ -34,7 +34,8 @@
 //   no factor of the numerator vanishes: no root, but a pole where the denominator does;
 //   towards infinity, |f(x)| >= k |x|^a with k > 0 from some x on (zero_free_ends.hpp): no root.
 // An unbounded interval is searched outward, in parts whose lengths double, and one with an end at
-// which f is not defined towards that end.
+// which f is not defined towards that end. Where the roots do not end, the rest is one region,
+// which is proved to hold infinitely many where f changes its sign again and again (docs/roots.md).
 // What an examination of a box has proved, it says of pieces, and the search proves in exact
 // arithmetic that the pieces make up the box; the result is made only where all pieces, settled and
 // open, are proved to make up the interval, each point once. Otherwise std::logic_error is thrown:
